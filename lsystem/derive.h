@@ -1,0 +1,48 @@
+#pragma once
+// Derivation: from the axiom to a string of modules, streamed depth first (equal to parallel rewriting for context-free
+// productions), with the address of every module.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/progress.h"
+#include "lsystem/grammar.h"
+
+namespace rinceau {
+
+/// Index into Derivation::symbols.
+using Symbol = std::int32_t;
+
+struct Module {
+    Symbol symbol = 0;
+    std::vector<double> arguments;
+};
+
+struct DeriveOptions {
+    int depth = -1;                          ///< steps of rewriting; -1 = until nothing is left to rewrite
+    std::uint64_t seed = 1;                  ///< for stochastic productions
+    std::uint64_t max_modules = 50'000'000;  ///< in the derived string; more -> LimitError naming the production that grew
+    int max_recursion = 100'000;             ///< steps when depth = -1; more -> LimitError naming the production
+    double max_seconds = 0;                  ///< 0 = no limit; more -> LimitError naming the production
+};
+
+/// The derived string. Addresses: the symbols that are not turtle commands are counted 1, 2, .. in the axiom. A production's
+/// modules are counted below its own address, except modules of the production's own symbol: these continue its level
+/// (their modules are counted on, in order of derivation), so that in P(m) : m > 0 -> [A] f(13) P(m-1) the axiom P(3)
+/// gives A at 1.1, 1.2, 1.3, and these stay when the count is changed.
+struct ModuleString {
+    std::vector<std::string> symbols;
+    std::vector<Module> modules;
+};
+
+/// Throws InputError (unknown name in an expression, wrong number of arguments, value that is not finite) at the place in
+/// the grammar's text, or LimitError.
+ModuleString derive(const Grammar& grammar, const DeriveOptions& options = {}, const Progress& progress = {});
+
+/// "+(30) f(12.5) [ A ] ..." with numbers in shortest round-trip form.
+std::string to_text(const ModuleString& string);
+
+}  // namespace rinceau

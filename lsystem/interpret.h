@@ -1,0 +1,32 @@
+#pragma once
+// Turtle interpretation: from the grammar (or a string) to placed terminals.
+
+#include <vector>
+
+#include "geometry/similarity.h"
+#include "lsystem/derive.h"
+#include "lsystem/grammar.h"
+
+namespace rinceau {
+
+/// One drawn terminal. Order in a list of placements: paint order, that is stable by (layer, order of derivation).
+struct Placement {
+    int terminal = 0;            ///< index into Grammar::terminals
+    int style = 0;               ///< style number in force; 0 = the terminal's own
+    int layer = 0;
+    Similarity pose;             ///< terminal frame -> scene
+    std::vector<int> address;    ///< of the terminal (derive.h); empty unless InterpretOptions::addresses
+    int production = -1;         ///< index of the production whose successor placed it; -1 = axiom or exception
+};
+
+struct InterpretOptions {
+    DeriveOptions derive;
+    bool addresses = false;
+};
+
+/// Derives and interprets in one stream; memory proportional to depth and to the placements. The turtle starts at the
+/// origin, heading +y, scale 1, layer 0. Symbols that are neither commands nor terminals draw nothing.
+/// Throws as derive(), and InputError for ] without [, for a scale that is not positive, and unknown style numbers.
+std::vector<Placement> interpret(const Grammar& grammar, const InterpretOptions& options = {}, const Progress& progress = {});
+
+}  // namespace rinceau

@@ -1,0 +1,25 @@
+#pragma once
+// Placements as a drawing.
+
+#include <vector>
+
+#include "lsystem/grammar.h"
+#include "lsystem/interpret.h"
+#include "scene/element.h"
+
+namespace rinceau {
+
+/// Each placement as an element of its own, in paint order: paths and style carried to the scene by the pose.
+Scene to_scene(const Grammar& grammar, const std::vector<Placement>& placements);
+
+enum class ColorBy : unsigned char { none, rule, terminal, level };
+
+struct GrammarSvgOptions {
+    ColorBy color_by = ColorBy::none;  ///< paint each placement by its production, terminal or address length instead
+};
+
+/// The picture as SVG: one <symbol>/<g> definition per (terminal, style) used more than once and a <use> per placement;
+/// what is placed once stands inline. Numbers keep 1e-4 px at the picture's size or better.
+std::string grammar_svg(const Grammar& grammar, const std::vector<Placement>& placements, const GrammarSvgOptions& options = {});
+
+}  // namespace rinceau

@@ -1,0 +1,31 @@
+#pragma once
+// SVG out: a scene as a plain SVG file, one element a shape, in paint order.
+
+#include <string>
+
+#include "scene/element.h"
+
+namespace rinceau {
+
+/// The scene as an SVG document. read_svg of the result gives the same scene (numbers in shortest round-trip form).
+std::string write_svg(const Scene& scene);
+
+/// "M0 0L1 2C..Z" of paths whose y axis points UP, in SVG's y-down convention. Numbers are written with at most `digits`
+/// significant digits, or in shortest round-trip form when digits = 0.
+std::string svg_path_data(const std::vector<Path>& paths, int digits = 0);
+
+/// The presentation attributes of a style (fill="..." stroke="..." ...) without gradients' definitions, and those
+/// definitions apart; gradient ids are `id_prefix` + "f" (fill) or "s" (stroke). Space: y down.
+struct SvgStyleText {
+    std::string attributes;
+    std::string definitions;
+};
+SvgStyleText svg_style_text(const Style& style, const std::string& id_prefix);
+
+/// "matrix(...)" or a shorter equal form for a map given in y-up space, written in SVG's y-down convention; empty for identity.
+std::string svg_transform_text(const Affine& map);
+
+/// Opening tag of the root element for the scene's viewport, and its size.
+std::string svg_root_tag(const Box& viewport, bool sized);
+
+}  // namespace rinceau
