@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "geometry/affine.h"
 #include "geometry/random.h"
 #include "geometry/similarity.h"
 
