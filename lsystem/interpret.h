@@ -9,6 +9,14 @@
 
 namespace rinceau {
 
+/// Where a module stands in the grammar: position in a production's successor, or in the axiom (production -1) or in an
+/// exception's successor (production -2).
+struct Occurrence {
+    int production = -1;
+    int position = 0;
+    friend constexpr bool operator==(const Occurrence&, const Occurrence&) = default;
+};
+
 /// One drawn terminal. Order in a list of placements: paint order, that is stable by (layer, order of derivation).
 struct Placement {
     int terminal = 0;            ///< index into Grammar::terminals
@@ -16,12 +24,16 @@ struct Placement {
     int layer = 0;
     Similarity pose;             ///< terminal frame -> scene
     std::vector<int> address;    ///< of the terminal (derive.h); empty unless InterpretOptions::addresses
+    int order = 0;               ///< index in order of derivation, before layers are sorted
+    std::vector<Occurrence> trail;  ///< the occurrences from the axiom down to the terminal, self-recursion of a production
+                                    ///< left out; empty unless InterpretOptions::trails
     int production = -1;         ///< index of the production whose successor placed it; -1 = axiom or exception
 };
 
 struct InterpretOptions {
     DeriveOptions derive;
     bool addresses = false;
+    bool trails = false;
 };
 
 /// Derives and interprets in one stream; memory proportional to depth and to the placements. The turtle starts at the

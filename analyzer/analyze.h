@@ -1,0 +1,75 @@
+#pragma once
+// The whole journey: drawing -> grammar, with its own proof (Stava et al. 2010; docs/analysis.md names every deviation).
+
+#include <string>
+#include <vector>
+
+#include "analyzer/instancing.h"
+#include "analyzer/verify.h"
+#include "geometry/progress.h"
+#include "lsystem/grammar.h"
+#include "scene/element.h"
+
+namespace rinceau {
+
+/// The four weights of the paper's importance function (eq. 5), 0..4, 1 = neutral: they steer which structure is preferred.
+struct ImportanceWeights {
+    double count = 1;       ///< w_n: structures that repeat often
+    double nearness = 1;    ///< w_h: near elements first
+    double similarity = 1;  ///< w_phi: small deviations first
+    double length = 1;      ///< w_l: long sequences first
+};
+
+struct AnalyzeOptions {
+    SimilarityOptions similarity;
+    /// Largest deviation of a repetition, in element sizes. 0 = several are tried and the shortest grammar is kept.
+    double tolerance = 0;
+    ImportanceWeights weights;
+    int threads = 0;  ///< 0 = one per processor; the result is the same for any number
+};
+
+struct ProductionReport {
+    std::string symbol;
+    std::string kind;          ///< "sequence", "ring", "linear", "group"
+    std::vector<int> lengths;  ///< numbers of repetitions in use, as a person counts them; {n} for a group of n members
+    int instances = 0;         ///< times the symbol is expanded from outside
+    std::string body;          ///< the production as printed
+};
+
+struct TerminalReport {
+    std::string symbol;
+    int instances = 0;
+    int symmetry = 1;  ///< order of the rotation group of its outline; 0 = continuous
+    int mirrored = 0;  ///< instances that are mirror images
+};
+
+struct AnalysisSeconds {
+    double similarity = 0, clusters = 0, rules = 0, verify = 0;
+};
+
+struct AnalysisReport {
+    int elements = 0;
+    int verbatim = 0;  ///< of the elements, how many are kept verbatim
+    std::vector<TerminalReport> terminals;
+    std::vector<ProductionReport> productions;
+    std::string axiom;
+    Verification check;
+    double drawing_bits = 0;  ///< docs/analysis.md, "How a drawing and a grammar are measured"
+    double grammar_bits = 0;
+    double tolerance = 0;     ///< the one that was kept
+    std::vector<std::string> warnings;
+    AnalysisSeconds seconds;
+};
+
+struct Analysis {
+    Grammar grammar;  ///< has passed its check, or is the flat list of all elements, which always does
+    AnalysisReport report;
+};
+
+/// Throws LimitError for drawings over 5,000,000 elements.
+Analysis analyze(const Scene& scene, const AnalyzeOptions& options = {}, const Progress& progress = {});
+
+/// The grammar that lists every element in the axiom: no rules, always exact.
+Grammar flat_grammar(const Scene& scene, const Instancing& instancing);
+
+}  // namespace rinceau
