@@ -25,6 +25,17 @@ SvgStyleText svg_style_text(const Style& style, const std::string& id_prefix);
 /// "matrix(...)" or a shorter equal form for a map given in y-up space, written in SVG's y-down convention; empty for identity.
 std::string svg_transform_text(const Affine& map);
 
+/// One element as SVG, y down, without the element's id: `body` draws it, `definitions` belongs into <defs>. Numbers as in
+/// svg_path_data; ids in the definitions start with `id_prefix`.
+struct SvgElementText {
+    std::string body;
+    std::string definitions;
+};
+SvgElementText svg_element_text(const Element& element, const std::string& id_prefix, int digits = 0);
+
+/// The text with & < > " replaced by entities, fit for an attribute or for content.
+std::string xml_escaped(const std::string& text);
+
 /// Opening tag of the root element for the scene's viewport, and its size.
 std::string svg_root_tag(const Box& viewport, bool sized);
 

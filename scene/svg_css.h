@@ -1,0 +1,93 @@
+#pragma once
+// Style sheets: rules, selectors, and the cascade that gives each element its specified values (CSS 2.1, chapters 5 and 6,
+// and of Selectors 3 what drawings use). Nothing here knows the XML library: the tree is seen through CssTree.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace rinceau {
+
+/// An element of the caller's tree; null = none.
+using CssNode = const void*;
+
+/// How selectors see the tree. Only elements count as parents and siblings. Each call must take constant time.
+struct CssTree {
+    std::function<std::string_view(CssNode)> name;  ///< local name, without namespace prefix
+    std::function<std::optional<std::string_view>(CssNode, std::string_view)> attribute;
+    std::function<CssNode(CssNode)> parent;
+    std::function<CssNode(CssNode)> previous;  ///< sibling before
+    std::function<CssNode(CssNode)> next;      ///< sibling after
+    std::function<int(CssNode)> position;      ///< among its siblings, from 1; may be left empty (counted by `previous`)
+};
+
+struct CssDeclaration {
+    std::string property;  ///< lower case
+    std::string value;     ///< trimmed, comments removed, without "!important"
+    bool important = false;
+};
+
+/// "fill:red; stroke : blue !important": what is not a declaration is skipped.
+std::vector<CssDeclaration> parse_declarations(std::string_view text);
+
+enum class CssCombinator : std::uint8_t { descendant, child, adjacent, sibling };
+enum class CssTest : std::uint8_t {
+    type, id, has_class, attribute, attribute_is, attribute_word, attribute_dash, attribute_starts, attribute_ends,
+    attribute_contains, first_child, last_child, only_child, nth_child, root, empty_selector_never
+};
+
+/// One simple selector.
+struct CssCondition {
+    CssTest test = CssTest::type;
+    bool negated = false;  ///< inside :not()
+    std::string name;      ///< type, id, class or attribute
+    std::string value;     ///< of the attribute
+    int step = 0, offset = 0;  ///< nth-child(step n + offset)
+};
+
+/// "g > path.a": compounds from right to left; combinators[i] stands between compounds[i] and compounds[i + 1].
+struct CssSelector {
+    std::vector<std::vector<CssCondition>> compounds;
+    std::vector<CssCombinator> combinators;
+    std::uint32_t specificity = 0;  ///< ids * 2^20 + classes * 2^10 + types
+};
+
+struct CssRule {
+    CssSelector selector;
+    std::uint32_t block = 0;  ///< into StyleSheet::blocks
+};
+
+/// All rules of a drawing in the order of its text, with an index by the rightmost compound.
+struct StyleSheet {
+    std::vector<CssRule> rules;
+    std::vector<std::vector<CssDeclaration>> blocks;
+    std::unordered_map<std::string, std::vector<std::uint32_t>> by_id, by_class, by_type;  ///< rule numbers, rising
+    std::vector<std::uint32_t> others;
+    std::vector<std::string> faults;  ///< one sentence for each thing that was skipped, no repeats
+};
+
+/// The sheets in document order (text of each <style>, CDATA marks allowed in it). Comments and at-rules are skipped, but
+/// @media all and @media screen apply. A rule with a selector that is not understood is skipped and reported.
+StyleSheet parse_style_sheets(std::span<const std::string> sheets);
+
+/// Specified values, sorted by property, one entry each.
+using SpecifiedStyle = std::vector<std::pair<std::string, std::string>>;
+
+/// The cascade of one element: presentation attributes (given by the caller; specificity 0), rules by specificity and
+/// order, the attribute `style`, !important above all. Nothing is inherited here and shorthands are not taken apart.
+SpecifiedStyle specified_style(const StyleSheet& sheet, const CssTree& tree, CssNode node,
+                               std::span<const std::pair<std::string_view, std::string_view>> presentation,
+                               std::string_view style_attribute);
+
+/// The value of a property, if it is specified.
+const std::string* find_value(const SpecifiedStyle& style, std::string_view property);
+
+bool matches(const CssSelector& selector, const CssTree& tree, CssNode node);
+
+}  // namespace rinceau

@@ -1,0 +1,25 @@
+#pragma once
+// Path data: the attribute `d` (SVG 1.1, section 8.3; SVG 2, section 9.3).
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/path.h"
+
+namespace rinceau {
+
+/// Sub-paths in SVG's user space (y DOWN), arcs and quadratic curves as cubics. Everything before a fault is kept.
+/// Sub-paths that have a moveto only are left out; "M1 1z", "M1 1h0" are kept (round and square caps make them dots):
+/// closed without segments, or open with segments of length 0.
+struct ParsedPath {
+    std::vector<Path> paths;
+    bool faulty = false;
+    std::size_t fault_at = 0;  ///< offset in the text
+    std::string fault;         ///< what was expected there
+};
+
+/// Faults: anything outside the grammar, data that do not start with a moveto, numbers beyond 1e15 in size.
+ParsedPath parse_path_data(std::string_view text);
+
+}  // namespace rinceau
