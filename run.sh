@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# From a bare machine to the rules behind a drawing.
+set -euo pipefail
+
+usage() {
+    cat <<'TEXT'
+Usage: ./run.sh [-o FOLDER] [ART.svg]
+
+Installs what is missing, builds, finds the rules behind ART.svg (default: a sample), prints them, and writes
+  FOLDER/NAME.lsys  the grammar
+  FOLDER/NAME.svg   the picture that the grammar draws
+  FOLDER/NAME.png   the same as pixels
+FOLDER is by default the folder out/ of the project.
+TEXT
+}
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+folder=$root/out
+art=$root/samples/facade.svg
+while [ $# -gt 0 ]; do
+    case $1 in
+        -h | --help) usage; exit 0 ;;
+        -o) [ $# -ge 2 ] || { usage >&2; exit 2; }; folder=$2; shift 2 ;;
+        --) shift; [ $# -gt 0 ] && art=$1; break ;;
+        -*) usage >&2; exit 2 ;;
+        *) art=$1; shift ;;
+    esac
+done
+[ -f "$art" ] || { printf '%s: no such file\n' "$art" >&2; exit 1; }
+
+. "$root/scripts/packages.sh"
+install_packages "${build_packages[@]}"
+
+log=$root/build/release.log
+mkdir -p "$root/build"
+say "Building (the first time takes a few minutes; details in $log)"
+if ! (cd "$root" && cmake --preset release && cmake --build --preset release --parallel "$(nproc)") >"$log" 2>&1; then
+    tail -n 40 "$log" >&2
+    is_debian || say_what_to_install "${build_packages[@]}"
+    exit 1
+fi
+
+name=$(basename -- "$art")
+name=${name%.*}
+mkdir -p -- "$folder"
+folder=$(cd -- "$folder" && pwd)
+rinceau=$root/build/release/cli/rinceau
+case $art in -*) art=./$art ;; esac
+"$rinceau" analyze --print -o "$folder/$name.lsys" "$art"
+"$rinceau" render -o "$folder/$name.svg" "$folder/$name.lsys"
+"$rinceau" render -o "$folder/$name.png" --width 900 "$folder/$name.lsys"
+printf '\nThe grammar:  %s\nIts picture:  %s\n              %s\n' "$folder/$name.lsys" "$folder/$name.svg" "$folder/$name.png"

@@ -1,0 +1,63 @@
+# What the project needs from the system, in one place. Sourced by run.sh and test.sh; bash.
+
+# To build and run the program.
+build_packages=(g++ cmake ninja-build pkg-config
+    libtinyxml2-dev libeigen3-dev libnanoflann-dev libpolyclipping-dev libcli11-dev nlohmann-json3-dev
+    librsvg2-dev libcairo2-dev zlib1g-dev)
+
+# To test it, on top of that.
+test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema)
+
+say() { printf '%s\n' "$*" >&2; }
+
+is_debian() { command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; }
+
+# The given packages that are not installed, one a line.
+missing_packages() {
+    local package
+    for package in "$@"; do
+        [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || printf '%s\n' "$package"
+    done
+}
+
+# For systems without apt: the same things by their own names.
+say_what_to_install() {
+    say "Install these by your system's own means and start again (the names are Debian's):"
+    say "    $*"
+    say "That is: a C++20 compiler (GCC 12 or newer), CMake 3.25, Ninja, pkg-config, and the development files of tinyxml2,"
+    say "Eigen 3.4, nanoflann 1.4, Clipper 6 (polyclipping), CLI11 2, nlohmann-json 3, librsvg 2, cairo, zlib; for the tests also"
+    say "Catch2 2.13, rsvg-convert, and Python 3 with numpy, Pillow and jsonschema."
+}
+
+# Installs what is missing of the given packages; asks for rights only if something is.
+install_packages() {
+    local missing as_root=()
+    if ! is_debian; then
+        have_build_tools && return 0
+        say_what_to_install "$@"
+        return 1
+    fi
+    mapfile -t missing < <(missing_packages "$@")
+    [ ${#missing[@]} -eq 0 ] && return 0
+    if [ "$(id -u)" -ne 0 ]; then
+        if ! command -v sudo >/dev/null; then
+            say "Some packages are missing, and only root can install them. As root:"
+            say "    apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+            return 1
+        fi
+        as_root=(sudo)
+    fi
+    say "Installing: ${missing[*]}"
+    local install=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive
+        apt-get install -y -qq --no-install-recommends "${missing[@]}")
+    # Fresh images carry no package lists, old ones carry lists of versions that are gone.
+    if compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null && "${install[@]}" >&2; then return 0; fi
+    "${as_root[@]}" apt-get update -qq >&2
+    "${install[@]}" >&2
+}
+
+# Whether a build can at least be tried on a system whose packages are unknown here.
+have_build_tools() {
+    local tool
+    for tool in cmake ninja pkg-config c++; do command -v "$tool" >/dev/null || return 1; done
+}

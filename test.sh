@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Installs what the tests need, builds everything with warnings as errors, runs every test.
+# The last line reads "N passed, M failed"; the exit status is 0 only if M = 0.
+set -euo pipefail
+
+preset=dev
+case ${1-} in
+    '') ;;
+    --sanitize) preset=sanitize ;;
+    -h | --help) printf 'Usage: ./test.sh [--sanitize]\n  --sanitize  under the address and undefined-behaviour sanitizers\n'; exit 0 ;;
+    *) printf 'Usage: ./test.sh [--sanitize]\n' >&2; exit 2 ;;
+esac
+
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+cd "$root"
+. scripts/packages.sh
+install_packages "${build_packages[@]}" "${test_packages[@]}"
+
+cmake --preset "$preset"
+cmake --build --preset "$preset" --parallel "$(nproc)"
+
+log=build/$preset/test.log
+status=0
+ctest --preset "$preset" --parallel "$(nproc)" 2>&1 | tee "$log" || status=$?
+
+# "97% tests passed, 2 tests failed out of 80"
+summary=$(grep -E '^[0-9]+% tests passed, [0-9]+ tests? failed out of [0-9]+' "$log" | tail -n 1) ||
+    { say "No test ran"; exit 1; }
+failed=$(sed -E 's/^[0-9]+% tests passed, ([0-9]+) tests? failed.*/\1/' <<<"$summary")
+total=$(sed -E 's/.* out of ([0-9]+).*/\1/' <<<"$summary")
+printf '%d passed, %d failed\n' $((total - failed)) "$failed"
+[ "$failed" -eq 0 ] && exit "$status"
+exit 1
