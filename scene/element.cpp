@@ -1,0 +1,37 @@
+#include "scene/element.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rinceau {
+
+namespace {
+
+// How much the pen stretches the circle at most: the larger singular value of its matrix.
+double largest_stretch(const Linear2& pen) {
+    const double sum = pen.a * pen.a + pen.b * pen.b + pen.c * pen.c + pen.d * pen.d;
+    const double det = pen.a * pen.d - pen.b * pen.c;
+    return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * det * det))));
+}
+
+bool has_joins(const Path& path) { return path.segments.size() + (path.closed ? 1 : 0) > 1; }
+
+// How far a stroke reaches from the outline, in half widths.
+double reach(const std::vector<Path>& paths, const Stroke& stroke) {
+    const bool mitres = stroke.join == LineJoin::miter && std::any_of(paths.begin(), paths.end(), has_joins);
+    const double half_widths = stroke.cap == LineCap::square ? std::numbers::sqrt2 : 1;
+    return mitres ? std::max(half_widths, stroke.miter_limit) : half_widths;
+}
+
+}  // namespace
+
+Box painted_box(const Element& element) {
+    if (!element.verbatim.empty()) return element.verbatim_box;
+    const Box outline = bounds(element.paths);
+    if (!paints_stroke(element.style)) return outline;
+    const Stroke& stroke = element.style.stroke;
+    return grown(outline, 0.5 * stroke.width * largest_stretch(stroke.pen) * reach(element.paths, stroke));
+}
+
+}  // namespace rinceau
