@@ -1,6 +1,7 @@
 #pragma once
 // Which pairs of elements touch, so that their paint order can be seen (ANALYZER section 9).
 
+#include <cstddef>
 #include <vector>
 
 #include "scene/element.h"
@@ -21,11 +22,18 @@ struct Overlaps {
 
 struct OverlapOptions {
     std::size_t max_pairs = 4'000'000;
+    /// Regions that come this near share pixels, whose colour depends on the order; share of the diagonal. The default is
+    /// half a pixel where the drawing is a thousand pixels across.
+    double margin = 5e-4;
 };
 
-/// All pairs of elements whose painted regions (fill, stroke with its width) come within half a pixel-thousandth of the
-/// diagonal of each other, except pairs for which the order cannot be seen: the same single opaque colour all over.
-/// Elements that fill a region count as solid; verbatim elements of unknown extent overlap everything.
+/// The diagonal of the viewport; of what the elements paint if the viewport is empty; 1 if that is a point or nothing.
+double drawing_diagonal(const Scene& scene);
+
+/// All pairs of elements whose painted regions (fill by its fill rule, stroke with its width, dashes counted as solid) come
+/// within the margin of each other, except pairs for which the order cannot be seen: everything that both paint has one and
+/// the same colour. Pairs further apart than 1.5 margins are not listed. Opacity hides nothing: whatever paints counts.
+/// A verbatim element fills its box; of unknown extent, it overlaps everything.
 Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options = {});
 
 }  // namespace rinceau

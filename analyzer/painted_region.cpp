@@ -1,0 +1,151 @@
+#include "analyzer/painted_region.h"
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/polygon.h"
+
+namespace rinceau {
+namespace {
+
+/// Up to this many edges trying each is faster than asking a tree.
+constexpr std::size_t edges_without_tree = 24;
+/// A mitre that reaches no further than this many half widths stays inside what its two edges paint, nearly.
+constexpr double plain_corner = 1.05;
+
+Box box_of(const ThickEdge& edge) { return grown(including(including(Box{}, edge.from), edge.to), edge.radius); }
+
+/// Largest stretch of a circle by the pen.
+double largest_stretch(const Linear2& m) {
+    const double sum = std::hypot(m.a + m.d, m.b - m.c);
+    const double difference = std::hypot(m.a - m.d, m.b + m.c);
+    return (sum + difference) / 2;
+}
+
+Point unit(Point v) { return abs(v) > 0 ? v / abs(v) : Point{}; }
+
+/// From a corner to the tip of its mitre, if the mitre is painted and reaches beyond the two edges.
+void append_mitre(std::vector<ThickEdge>& edges, Point before, Point at, Point after, double radius, double limit) {
+    const Point outward = unit(at - before) - unit(after - at);
+    const double half_sine = abs(unit(at - before) + unit(after - at)) / 2;  // sine of half the inner angle
+    if (half_sine <= 0 || abs(outward) <= 0) return;
+    const double reach = 1 / half_sine;
+    if (reach <= plain_corner || reach > limit) return;
+    edges.push_back({at, at + radius * reach * unit(outward), 0});
+}
+
+void append_stroke_tips(std::vector<ThickEdge>& edges, const std::vector<Point>& line, bool closed, const Stroke& stroke,
+                        double radius) {
+    const std::size_t n = line.size();
+    if (stroke.join == LineJoin::miter && n > 2) {
+        for (std::size_t i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
+            append_mitre(edges, line[(i + n - 1) % n], line[i], line[(i + 1) % n], radius, stroke.miter_limit);
+        }
+    }
+    if (stroke.cap == LineCap::square && !closed) {
+        const auto append_cap = [&](Point end, Point inner) {
+            const Point along = end == inner ? Point{1, 0} : unit(end - inner);
+            edges.push_back({end, end + radius * along, radius});
+        };
+        append_cap(line.front(), line[n > 1 ? 1 : 0]);
+        append_cap(line.back(), line[n > 1 ? n - 2 : 0]);
+    }
+}
+
+/// The polyline's edges; a single point is an edge of length 0.
+void append_outline(PaintedRegion& region, const std::vector<Point>& line, bool closed, double radius) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) region.edges.push_back({line[i], line[i + 1], radius});
+    if (line.size() == 1 || closed) region.edges.push_back({line.back(), line.front(), radius});
+    else if (region.solid) region.edges.push_back({line.back(), line.front(), 0});
+}
+
+bool contains_point(const PaintedRegion& region, Point p) {
+    if (!region.solid || !overlap(region.box, {p, p})) return false;
+    int winding = 0;
+    int crossings = 0;
+    const auto cross_ray = [&](std::size_t i) {
+        if (i >= region.outline_edges) return true;
+        const ThickEdge& edge = region.edges[i];
+        const bool up = edge.from.y <= p.y && edge.to.y > p.y;
+        const bool down = edge.to.y <= p.y && edge.from.y > p.y;
+        const double side = cross(edge.to - edge.from, p - edge.from);
+        if ((up && side > 0) || (down && side < 0)) {
+            winding += up ? 1 : -1;
+            ++crossings;
+        }
+        return true;
+    };
+    if (region.edges.size() > edges_without_tree) {
+        region.tree.visit({p, {std::numeric_limits<double>::infinity(), p.y}}, cross_ray);
+    } else {
+        for (std::size_t i = 0; i < region.outline_edges; ++i) cross_ray(i);
+    }
+    return region.fill_rule == FillRule::nonzero ? winding != 0 : crossings % 2 != 0;
+}
+
+bool edges_touch(const ThickEdge& a, const ThickEdge& b, double margin) {
+    const double reach = a.radius + b.radius + margin;
+    return distance_to_segment(a.from, b.from, b.to) <= reach || distance_to_segment(a.to, b.from, b.to) <= reach ||
+           distance_to_segment(b.from, a.from, a.to) <= reach || distance_to_segment(b.to, a.from, a.to) <= reach ||
+           segment_crossing(a.from, a.to, b.from, b.to).has_value();
+}
+
+bool touches_any_edge(const PaintedRegion& region, const ThickEdge& probe, double margin) {
+    const Box reach = grown(box_of(probe), margin);
+    bool touching = false;
+    const auto try_edge = [&](std::size_t i) { return !(touching = edges_touch(region.edges[i], probe, margin)); };
+    if (region.edges.size() > edges_without_tree) {
+        region.tree.visit(reach, try_edge);
+    } else {
+        for (std::size_t i = 0; i < region.edges.size() && !touching; ++i) {
+            if (overlap(box_of(region.edges[i]), reach)) try_edge(i);
+        }
+    }
+    return touching;
+}
+
+bool any_start_inside(const PaintedRegion& inner, const PaintedRegion& outer) {
+    for (const Point p : inner.starts) {
+        if (contains_point(outer, p)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+PaintedRegion painted_region(const Element& element, double deviation) {
+    const Stroke& stroke = element.style.stroke;
+    const bool stroked = paints_stroke(element.style);
+    const double radius = stroked ? stroke.width / 2 * largest_stretch(stroke.pen) : 0;
+    PaintedRegion region{.box = painted_box(element), .solid = paints_fill(element.style), .fill_rule = element.style.fill_rule};
+    std::vector<ThickEdge> tips;
+    for (const Path& path : element.paths) {
+        const std::vector<Point> line = flattened(path, deviation);
+        if (line.empty()) continue;
+        region.starts.push_back(line.front());
+        append_outline(region, line, path.closed, radius);
+        if (stroked) append_stroke_tips(tips, line, path.closed, stroke, radius);
+    }
+    region.outline_edges = region.edges.size();
+    region.edges.insert(region.edges.end(), tips.begin(), tips.end());
+    if (region.edges.size() > edges_without_tree) {
+        std::vector<Box> boxes;
+        for (const ThickEdge& edge : region.edges) boxes.push_back(box_of(edge));
+        region.tree = BoxTree(boxes);
+    }
+    return region;
+}
+
+bool regions_touch(const PaintedRegion& a, const PaintedRegion& b, double margin) {
+    // The common case of a thing on a ground is decided by one point.
+    if (any_start_inside(a, b) || any_start_inside(b, a)) return true;
+    const PaintedRegion& fewer = a.edges.size() <= b.edges.size() ? a : b;
+    const PaintedRegion& more = a.edges.size() <= b.edges.size() ? b : a;
+    const Box reach = grown(more.box, margin);
+    for (const ThickEdge& probe : fewer.edges) {
+        if (overlap(box_of(probe), reach) && touches_any_edge(more, probe, margin)) return true;
+    }
+    return false;
+}
+
+}  // namespace rinceau
