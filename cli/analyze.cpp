@@ -1,0 +1,125 @@
+// rinceau analyze: drawing -> grammar.
+
+#include "analyzer/analyze.h"
+
+#include <chrono>
+
+#include "cli/exit_status.h"
+#include "cli/files.h"
+#include "cli/messages.h"
+#include "cli/progress_bar.h"
+#include "cli/report_json.h"
+#include "cli/rules_text.h"
+#include "cli/verbs.h"
+#include "cli/weights_option.h"
+#include "lsystem/grammar_text.h"
+#include "scene/svg_read.h"
+
+namespace rinceau {
+namespace {
+
+struct AnalyzeVerbOptions {
+    std::string input;
+    std::string output;
+    std::string report;
+    std::string weights;
+    bool print = false;
+    AnalyzeOptions analyze;
+};
+
+void expect_outputs(const AnalyzeVerbOptions& options) {
+    if (format_of(options.output, FileFormat::lsys) != FileFormat::lsys)
+        throw CLI::ValidationError("-o", "expected a name that ends in .lsys, found '" + options.output + "'");
+    if (format_of(options.report, FileFormat::json) != FileFormat::json)
+        throw CLI::ValidationError("--report", "expected a name that ends in .json, found '" + options.report + "'");
+    if (options.print && options.output == "-")
+        throw CLI::ValidationError("--print", "writes to standard output, and so does '-o -'");
+    expect_writable(options.output);
+    expect_writable(options.report);
+}
+
+Analysis analyze_scene(const Scene& scene, const AnalyzeVerbOptions& options) {
+    AnalyzeOptions analyze_options = options.analyze;
+    if (!options.weights.empty()) analyze_options.weights = parse_weights(options.weights);
+    ProgressBar bar;
+    return analyze(scene, analyze_options, bar.callback());
+}
+
+void expect_passed(const Verification& check, const std::string& label) {
+    if (check.passed) return;
+    throw InputError({label}, "the grammar that was found does not draw the drawing, and is not written: " + check.summary);
+}
+
+void write_results(const Analysis& analysis, const ReportContext& context, const AnalyzeVerbOptions& options) {
+    if (!options.report.empty()) write_output(options.report, report_json(analysis.report, context));
+    if (!options.output.empty()) write_output(options.output, to_text(analysis.grammar));
+    if (options.output.empty() || options.print)
+        write_output("", rules_text(analysis));
+    else
+        say(summary_line(analysis.report));
+}
+
+int run_analyze(const AnalyzeVerbOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    const auto seconds_since = [](Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    expect_outputs(options);
+
+    const auto start = Clock::now();
+    const std::string label = input_label(options.input);
+    const SvgReadResult drawing = read_svg(read_input(options.input), {.file_name = label});
+    ReportContext context{.input = options.input, .warnings = drawing.warnings, .import_seconds = seconds_since(start)};
+    say_warnings(drawing.warnings);
+
+    const Analysis analysis = analyze_scene(drawing.scene, options);
+    for (const std::string& warning : analysis.report.warnings) say("warning: " + warning);
+    expect_passed(analysis.report.check, label);
+
+    context.total_seconds = seconds_since(start);
+    write_results(analysis, context, options);
+    return exit_status::done;
+}
+
+void add_recognition_options(CLI::App& verb, AnalyzeVerbOptions& options) {
+    constexpr double largest_tolerance = 1;  // an element's own size
+    constexpr double least_similarity = 1e-6;
+    constexpr double largest_similarity = 0.2;
+    constexpr int most_threads = 1024;
+    verb.add_option("--tolerance", options.analyze.tolerance,
+                    "Largest deviation of a repetition, in element sizes; 0 tries several and keeps the shortest grammar")
+        ->check(CLI::Range(0.0, largest_tolerance))
+        ->capture_default_str()
+        ->type_name("T");
+    verb.add_option("--similarity", options.analyze.similarity.tolerance,
+                    "Largest distance of two outlines that count as equal, in their rms radii")
+        ->check(CLI::Range(least_similarity, largest_similarity))
+        ->capture_default_str()
+        ->type_name("S");
+    verb.add_option("--weights", options.weights,
+                    "What is preferred, 0 to 4, 1 = neutral: n many repetitions, h near elements, phi small deviations, "
+                    "l long sequences")
+        ->type_name("n=..,h=..,phi=..,l=..");
+    verb.add_option("--threads", options.analyze.threads,
+                    "Threads; 0 = one per processor; the result is the same for any number")
+        ->check(CLI::Range(0, most_threads))
+        ->capture_default_str()
+        ->type_name("N");
+}
+
+}  // namespace
+
+void add_analyze(CLI::App& program, Job& job) {
+    const auto [verb, options] =
+        add_verb<AnalyzeVerbOptions>(program, job, "analyze", "Find the rules behind a drawing",
+                                     "rinceau analyze samples/facade.svg -o facade.lsys --report facade.json", run_analyze);
+    verb->add_option("ART", options->input, "The drawing (.svg, .svgz, or - for standard input)")->required();
+    verb->add_option("-o,--output", options->output, "Where to write the grammar (.lsys); without it, the rules are printed")
+        ->type_name("FILE");
+    verb->add_flag("--print", options->print, "Print the rules for a person to read also when -o is given");
+    verb->add_option("--report", options->report, "Where to write what was found as JSON (docs/report.schema.json)")
+        ->type_name("FILE");
+    add_recognition_options(*verb, *options);
+}
+
+}  // namespace rinceau

@@ -1,0 +1,33 @@
+// rinceau check: what is wrong with a grammar, and where.
+
+#include "cli/exit_status.h"
+#include "cli/files.h"
+#include "cli/messages.h"
+#include "cli/verbs.h"
+#include "lsystem/grammar_text.h"
+
+namespace rinceau {
+namespace {
+
+struct CheckOptions {
+    std::string input;
+};
+
+int check(const CheckOptions& options) {
+    const std::string label = input_label(options.input);
+    const std::vector<Warning> mistakes = check_grammar(read_input(options.input), label);
+    for (const Warning& mistake : mistakes) say(located(mistake.place, mistake.message));
+    if (!mistakes.empty()) return exit_status::input_at_fault;
+    write_output("", label + ": good\n");
+    return exit_status::done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Job& job) {
+    const auto [verb, options] = add_verb<CheckOptions>(program, job, "check", "Say what is wrong with a grammar, and where",
+                                                        "rinceau check samples/rosette.lsys", check);
+    verb->add_option("RULES", options->input, "The grammar (.lsys, or - for standard input)")->required();
+}
+
+}  // namespace rinceau

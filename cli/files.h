@@ -1,0 +1,29 @@
+#pragma once
+// Inputs and outputs by name, as the command line gives them.
+
+#include <string>
+#include <string_view>
+
+namespace rinceau {
+
+/// How an input is called in messages: its name, or "<stdin>" for "-".
+std::string input_label(const std::string& name);
+
+/// The whole content of a file; "-" = standard input. Throws InputError if it cannot be read, LimitError if it is larger
+/// than any drawing that can be analysed.
+std::string read_input(const std::string& name);
+
+/// Puts `bytes` in the place of the file `name`; "" or "-" = standard output. A regular file is written beside its name and
+/// renamed, signals that would end the program wait meanwhile: either the old content stands there or the new one, and
+/// nothing is left over. A symbolic link is followed. Throws OutputError.
+void write_output(const std::string& name, std::string_view bytes);
+
+/// Throws OutputError if it is plain beforehand that `name` cannot be written: its folder is missing or it is a folder.
+void expect_writable(const std::string& name);
+
+enum class FileFormat : unsigned char { unknown, svg, png, pdf, lsys, json, csv };
+
+/// By the ending of the name, in any case of letters; `standard_output` for "" and "-".
+FileFormat format_of(const std::string& name, FileFormat standard_output);
+
+}  // namespace rinceau

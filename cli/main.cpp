@@ -1,0 +1,73 @@
+// rinceau: every core function from the command line.
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/exit_status.h"
+#include "cli/messages.h"
+#include "cli/verbs.h"
+#include "scene/input_error.h"
+
+namespace {
+
+using namespace rinceau;
+
+int parse_and_run(CLI::App& program, const Job& job, int argc, char** argv) {
+    try {
+        program.parse(argc, argv);
+        return job();
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? exit_status::done : exit_status::command_line_at_fault;
+    }
+}
+
+void describe(CLI::App& program) {
+    constexpr std::size_t option_column = 30;
+    program.description("Finds the L-system behind a drawing, and draws L-systems.");
+    program.get_formatter()->column_width(option_column);
+    program.set_version_flag("--version", "rinceau " RINCEAU_VERSION);
+    program.footer(
+        "Exit status: 0 done, 1 the input is at fault, 2 the command line is at fault, 3 a limit was reached,\n"
+        "             4 an output could not be written.\n"
+        "Example:\n"
+        "  rinceau analyze samples/facade.svg\n"
+        "'rinceau VERB --help' tells about a verb.");
+    program.require_subcommand(1);
+    program.failure_message([](const CLI::App* app, const CLI::Error& error) {
+        return "rinceau: " + std::string(error.what()) + "\nSee '" + app->get_display_name() + " --help'\n";
+    });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program("", "rinceau");
+    Job job;
+    describe(program);
+    add_analyze(program, job);
+    add_render(program, job);
+    add_derive(program, job);
+    add_check(program, job);
+    add_normalize(program, job);
+    try {
+        return parse_and_run(program, job, argc, argv);
+    } catch (const InputError& error) {
+        say(error.what());
+        return exit_status::input_at_fault;
+    } catch (const LimitError& error) {
+        say(error.what());
+        return exit_status::limit_reached;
+    } catch (const std::bad_alloc&) {
+        say("rinceau: the memory does not suffice");
+        return exit_status::limit_reached;
+    } catch (const std::length_error&) {
+        say("rinceau: the memory does not suffice");
+        return exit_status::limit_reached;
+    } catch (const OutputError& error) {
+        say(error.what());
+        return exit_status::output_not_written;
+    }
+}

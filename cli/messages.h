@@ -1,0 +1,17 @@
+#pragma once
+// What the program says on standard error.
+
+#include <string>
+#include <vector>
+
+#include "scene/input_error.h"
+
+namespace rinceau {
+
+/// One line.
+void say(const std::string& line);
+
+/// "warning: file:line:column: message", a line each.
+void say_warnings(const std::vector<Warning>& warnings);
+
+}  // namespace rinceau
