@@ -1,10 +1,7 @@
 #include "scene/svg_tree.h"
 
-#include <tinyxml2.h>
-
+#include "scene/svg_document.h"
 #include "scene/svg_number.h"
-#include "scene/svg_source.h"
-#include "scene/svg_xml_pieces.h"
 
 namespace rinceau {
 namespace {
@@ -33,11 +30,11 @@ struct PrefixBinding {
 
 }  // namespace
 
-struct SvgTree::Documents {
-    std::vector<std::unique_ptr<tinyxml2::XMLDocument>> parsed;
+struct SvgTree::Document {
+    std::unique_ptr<tinyxml2::XMLDocument> parsed;
 };
 
-SvgTree::SvgTree() : documents_(std::make_unique<Documents>()) {}
+SvgTree::SvgTree() : document_(std::make_unique<Document>()) {}
 SvgTree::~SvgTree() = default;
 SvgTree::SvgTree(SvgTree&&) noexcept = default;
 SvgTree& SvgTree::operator=(SvgTree&&) noexcept = default;
@@ -63,50 +60,24 @@ std::string_view href_of(const SvgNode& node) {
     return found;
 }
 
-/// Turns the XML library's documents into nodes, piece by piece.
+/// Turns the XML library's document into nodes.
 class SvgTreeBuilder {
   public:
-    SvgTreeBuilder(const std::string& text, const std::string& file_name) : text_(text), file_name_(file_name) {}
-
-    SvgTree build() {
-        pieces_ = cut_into_pieces(text_, file_name_);
-        tinyxml2::XMLDocument& document = parse(0);
-        const tinyxml2::XMLElement* root = document.RootElement();
-        if (root == nullptr) throw InputError({file_name_, 1, 1}, "expected an <svg> element, found none");
+    SvgTree build(const std::string& text, const SvgSourceOptions& options) {
+        tree_.document_->parsed = parse_svg_document(text, options);
+        const tinyxml2::XMLElement* root = tree_.document_->parsed->RootElement();
+        if (root == nullptr) throw InputError({options.file_name, 1, 1}, "expected an <svg> element, found none");
         accept_plain_names(*root);
-        add_element(*root, nullptr, 0, 1);
-        if (!is_svg(tree_.root()) || tree_.root().name != "svg")
-            throw InputError({file_name_, tree_.root().line, 1},
+        add_element(*root, nullptr);
+        if (!is_svg(tree_.root()) || tree_.root().name != "svg") {
+            const std::size_t tag = text.find("<" + std::string(root->Name()));
+            throw InputError(place_in_text(text, tag == std::string::npos ? 0 : tag, options.file_name),
                              "expected the root element <svg>, found <" + std::string(root->Name()) + ">");
+        }
         return std::move(tree_);
     }
 
   private:
-    tinyxml2::XMLDocument& parse(std::size_t piece) {
-        auto document = std::make_unique<tinyxml2::XMLDocument>(true, tinyxml2::PRESERVE_WHITESPACE);
-        const XmlPiece& source = pieces_[piece];
-        document->Parse(source.text.data(), source.text.size());
-        if (document->Error()) fail(*document, source);
-        next_inner_.resize(pieces_.size(), 0);
-        pieces_[piece].text = {};
-        tree_.documents_->parsed.push_back(std::move(document));
-        return *tree_.documents_->parsed.back();
-    }
-
-    [[noreturn]] void fail(const tinyxml2::XMLDocument& document, const XmlPiece& source) const {
-        const int line = document.ErrorLineNum() + source.first_line - 1;
-        // The library knows the line only; the first tag on it is the best column there is.
-        std::size_t begin = 0;
-        for (int i = 1; i < line && begin != std::string::npos; ++i) {
-            begin = text_.find('\n', begin);
-            if (begin != std::string::npos) ++begin;
-        }
-        const std::size_t tag = begin == std::string::npos ? begin : text_.find_first_of("<\n", begin);
-        const int column = tag == std::string::npos || text_[tag] == '\n' ? 1 : place_in_text(text_, tag, {}).column;
-        throw InputError({file_name_, line, column},
-                         std::string("expected well-formed XML, found a fault (") + document.ErrorName() + ")");
-    }
-
     /// A drawing without any namespace is taken for SVG all the same.
     void accept_plain_names(const tinyxml2::XMLElement& root) {
         if (std::string_view(root.Name()) == "svg" && root.FindAttribute("xmlns") == nullptr) bindings_.push_back({"", svg_uri});
@@ -145,7 +116,7 @@ class SvgTreeBuilder {
         if (const std::string_view* id = find_attribute(node, "id"); id != nullptr && !id->empty()) tree_.ids_.emplace(*id, &node);
     }
 
-    SvgNode& add_element(const tinyxml2::XMLElement& element, SvgNode* parent, std::size_t piece, int level) {
+    SvgNode& add_element(const tinyxml2::XMLElement& element, SvgNode* parent) {
         const std::size_t outer_bindings = bindings_.size();
         bind_prefixes(element);
         SvgNode& node = tree_.nodes_.emplace_back();
@@ -155,28 +126,21 @@ class SvgTreeBuilder {
         node.space = namespace_of(node.space_name);
         // An undeclared "svg:" prefix can only mean one thing.
         if (node.space == SvgNamespace::none && name.prefix == "svg") node.space = SvgNamespace::svg;
-        node.line = element.GetLineNum() + pieces_[piece].first_line - 1;
+        node.line = element.GetLineNum();
         node.parent = parent;
         read_attributes(element, node);
-        if (level == piece_depth) {
-            const std::size_t inner = pieces_[piece].inner[next_inner_[piece]++];
-            const tinyxml2::XMLElement* content = parse(inner).RootElement();
-            // A wrapper stands at level 0 of its piece, so that its children are at level 1.
-            if (content != nullptr) add_children(*content, node, inner, 1);
-        } else {
-            add_children(element, node, piece, level + 1);
-        }
+        add_children(element, node);
         bindings_.resize(outer_bindings);
         return node;
     }
 
-    void add_children(const tinyxml2::XMLElement& element, SvgNode& node, std::size_t piece, int level) {
+    void add_children(const tinyxml2::XMLElement& element, SvgNode& node) {
         SvgNode* last = nullptr;
         SvgNode* last_element = nullptr;
         for (const tinyxml2::XMLNode* child = element.FirstChild(); child != nullptr; child = child->NextSibling()) {
             SvgNode* added = nullptr;
             if (const tinyxml2::XMLElement* inner = child->ToElement()) {
-                added = &add_element(*inner, &node, piece, level);
+                added = &add_element(*inner, &node);
                 added->previous_element = last_element;
                 if (last_element != nullptr) {
                     last_element->next_element = added;
@@ -187,7 +151,7 @@ class SvgTreeBuilder {
                 added = &tree_.nodes_.emplace_back();
                 added->text = text->Value();
                 added->parent = &node;
-                added->line = text->GetLineNum() + pieces_[piece].first_line - 1;
+                added->line = text->GetLineNum();
             }
             if (added == nullptr) continue;
             (last == nullptr ? node.first_child : last->next) = added;
@@ -195,14 +159,10 @@ class SvgTreeBuilder {
         }
     }
 
-    const std::string& text_;
-    const std::string& file_name_;
     SvgTree tree_;
-    std::vector<XmlPiece> pieces_;
-    std::vector<std::size_t> next_inner_;  ///< for each piece, how many inner pieces have been read
     std::vector<PrefixBinding> bindings_;  ///< innermost last
 };
 
-SvgTree parse_svg_tree(const std::string& text, const std::string& file_name) { return SvgTreeBuilder(text, file_name).build(); }
+SvgTree parse_svg_tree(const std::string& text, const SvgSourceOptions& options) { return SvgTreeBuilder().build(text, options); }
 
 }  // namespace rinceau

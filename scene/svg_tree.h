@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "scene/input_error.h"
+#include "scene/svg_source.h"
 
 namespace rinceau {
 
@@ -59,14 +59,15 @@ class SvgTree {
 
   private:
     friend class SvgTreeBuilder;
-    struct Documents;
-    std::unique_ptr<Documents> documents_;  ///< owns what the views in the nodes look at
+    struct Document;
+    std::unique_ptr<Document> document_;  ///< owns what the views in the nodes look at
     std::deque<SvgNode> nodes_;
     std::unordered_map<std::string_view, const SvgNode*> ids_;
 };
 
-/// From clean XML text (svg_source.h). Any depth. Elements without any namespace count as SVG if the root is an `svg`
-/// without one. Throws InputError with line and column if the XML is broken or the root is not an `svg`.
-SvgTree parse_svg_tree(const std::string& text, const std::string& file_name);
+/// From clean XML text (svg_source.h). Elements without any namespace count as SVG if the root is an `svg` without one.
+/// Throws InputError with line and column if the XML is broken or the root is not an `svg`, LimitError beyond
+/// options.max_depth.
+SvgTree parse_svg_tree(const std::string& text, const SvgSourceOptions& options);
 
 }  // namespace rinceau
