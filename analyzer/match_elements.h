@@ -1,0 +1,33 @@
+#pragma once
+// Classes of elements of equal outline, each with a representative (Stava et al. 2010, section 4.1; ANALYZER section 2.2).
+// The paper compares curvatures at samples; moments and a geometric check take their place: linear time, no threshold to
+// tune, exact poses.
+
+#include <vector>
+
+#include "analyzer/instancing.h"
+
+namespace rinceau {
+
+struct ShapeClass {
+    int representative = -1;  ///< element; its pose has angle 0 and no mirror
+    SymmetryGroup symmetry;   ///< of the outline
+};
+
+/// One element as a copy of its class.
+struct ShapeMatch {
+    int shape = -1;   ///< index into ShapeMatching::classes; -1 = verbatim
+    Similarity pose;  ///< unit frame of the class -> scene, |linear| = rms radius; one of the equivalent ones
+};
+
+struct ShapeMatching {
+    std::vector<ShapeClass> classes;  ///< by first appearance
+    std::vector<ShapeMatch> matches;  ///< one for each element
+};
+
+ShapeMatching match_elements(const Scene& scene, const SimilarityOptions& options, const Progress& progress = {});
+
+/// Length that all shares of the drawing's diagonal refer to: of the viewport, or of the outlines if it is empty.
+double drawing_diagonal(const Scene& scene);
+
+}  // namespace rinceau
