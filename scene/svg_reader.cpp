@@ -53,13 +53,15 @@ SpecifiedStyle specified_style(const SvgReader& reader, const SvgNode& node) {
 namespace {
 
 /// The element's own transform, in its parent's space. Faults are reported and count as no transform.
-Affine own_transform(const SvgReader& reader, const SvgContext& context) {
+Affine own_transform(SvgReader& reader, const SvgContext& context) {
     if (context.style.transform.empty()) return {};
     const Box reference{{0, 0}, {context.units.width, context.units.height}};
     ParsedTransform transform = parse_transform_attribute(context.style.transform);
     if (!transform.map) transform = parse_css_transform(context.style.transform, context.units, reference);
-    (void)reader;
-    if (!transform.map) return {};
+    if (!transform.map) {
+        reader.warnings.add("{} transforms are faulty and left out", *context.node);
+        return {};
+    }
     if (context.style.transform_origin.empty()) return *transform.map;
     const auto origin = parse_transform_origin(context.style.transform_origin, context.units, reference);
     return origin ? about(*transform.map, *origin) : *transform.map;
@@ -67,7 +69,7 @@ Affine own_transform(const SvgReader& reader, const SvgContext& context) {
 
 }  // namespace
 
-SvgContext enter(const SvgReader& reader, const SvgContext& parent, const SvgNode& node) {
+SvgContext enter(SvgReader& reader, const SvgContext& parent, const SvgNode& node) {
     if (parent.depth >= reader.options.max_depth)
         throw LimitError(place_of(reader, node), "elements and references are nested more than " +
                                                      std::to_string(reader.options.max_depth) +
@@ -85,7 +87,7 @@ SvgContext enter(const SvgReader& reader, const SvgContext& parent, const SvgNod
     return context;
 }
 
-std::vector<std::unique_ptr<SvgContext>> ancestor_contexts(const SvgReader& reader, const SvgNode& node) {
+std::vector<std::unique_ptr<SvgContext>> ancestor_contexts(SvgReader& reader, const SvgNode& node) {
     std::vector<const SvgNode*> ancestors;
     for (const SvgNode* up = node.parent; up != nullptr; up = up->parent) ancestors.push_back(up);
     std::vector<std::unique_ptr<SvgContext>> contexts;

@@ -21,8 +21,8 @@ class SvgWarningLog {
   public:
     using Mark = std::size_t;
 
-    /// `kind` reads as a sentence about "{n} things" with "{}" for the count, or as one without a count.
-    void add(std::string_view kind, int line) { entries_.push_back({std::string(kind), line}); }
+    /// `kind` is a sentence with "{}" where the count goes, if it has one; the text must outlive the log.
+    void add(std::string_view kind, const SvgNode& node) { entries_.push_back({kind, node.line}); }
     Mark mark() const { return entries_.size(); }
     void take_back(Mark mark) { entries_.resize(mark); }
     /// One warning for each kind, in the order of first occurrence.
@@ -30,7 +30,7 @@ class SvgWarningLog {
 
   private:
     struct Entry {
-        std::string kind;
+        std::string_view kind;
         int line = 0;
     };
     std::vector<Entry> entries_;
@@ -91,11 +91,11 @@ const SvgNode* find_reference(const SvgReader& reader, std::string_view referenc
 SpecifiedStyle specified_style(const SvgReader& reader, const SvgNode& node);
 
 /// The context of a node below `parent`: style, transform of its own, depth. Throws LimitError beyond the depth limit.
-SvgContext enter(const SvgReader& reader, const SvgContext& parent, const SvgNode& node);
+SvgContext enter(SvgReader& reader, const SvgContext& parent, const SvgNode& node);
 
 /// The contexts of a definition's ancestors as the tree has them (not as the walk went), the root first and the parent
 /// last, without any transforms: what a definition inherits.
-std::vector<std::unique_ptr<SvgContext>> ancestor_contexts(const SvgReader& reader, const SvgNode& node);
+std::vector<std::unique_ptr<SvgContext>> ancestor_contexts(SvgReader& reader, const SvgNode& node);
 
 /// Takes all elements from `first` on, and the warnings since `mark`, back.
 void take_back(SvgReader& reader, std::size_t first, SvgWarningLog::Mark mark);

@@ -1,0 +1,23 @@
+#pragma once
+// The outlines of the shape elements: path, rect, circle, ellipse, line, polyline, polygon.
+
+#include <string_view>
+#include <vector>
+
+#include "scene/path.h"
+#include "scene/svg_reader.h"
+
+namespace rinceau {
+
+bool is_shape(std::string_view element_name);
+/// Shapes that markers apply to: path, line, polyline, polygon.
+bool takes_markers(std::string_view element_name);
+
+/// A length of an element, from a CSS property of that name or else from the attribute; `fallback` if it is missing, not
+/// understood, or a keyword.
+double length_of(const SvgContext& context, std::string_view name, LengthAxis axis, double fallback);
+
+/// In user space (y down). Faults in the data are reported; what comes before them is kept. Empty if nothing is drawn.
+std::vector<Path> outline_of(SvgReader& reader, const SvgContext& context);
+
+}  // namespace rinceau

@@ -1,0 +1,174 @@
+#include "scene/svg_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/svg_marker.h"
+#include "scene/svg_outline.h"
+#include "scene/svg_paint.h"
+#include "scene/svg_verbatim.h"
+
+namespace rinceau {
+namespace {
+
+// Beyond this no renderer draws anything sensible, and sums of squares stay finite below it.
+constexpr double largest_coordinate = 1e15;
+// A map whose sides differ by less than this share is even: transforms are written with six to nine digits.
+constexpr double evenness = 1e-6;
+// A square dot on a turned grid is a line this much shorter than it is wide.
+constexpr double dot_length = 1e-4;
+
+bool is_even(const Affine& map) {
+    const double size = map.a * map.a + map.b * map.b + map.c * map.c + map.d * map.d;
+    return std::abs(map.a * map.a + map.b * map.b - map.c * map.c - map.d * map.d) <= evenness * size &&
+           std::abs(map.a * map.c + map.b * map.d) <= evenness * size;
+}
+
+/// The symmetric positive part of the polar decomposition of the map's linear part, at determinant 1.
+Linear2 pen_of(const Affine& map) {
+    // M M^T = P^2; the square root of a symmetric 2 x 2 matrix A is (A + sqrt(det A) I) / sqrt(tr A + 2 sqrt(det A)).
+    const double size = std::abs(determinant(map));
+    const double xx = (map.a * map.a + map.c * map.c) / size, yy = (map.b * map.b + map.d * map.d) / size;
+    const double xy = (map.a * map.b + map.c * map.d) / size;
+    const double scale = std::sqrt(xx + yy + 2);
+    return {(xx + 1) / scale, xy / scale, xy / scale, (yy + 1) / scale};
+}
+
+bool in_range(const std::vector<Path>& paths) {
+    const auto fits = [](Point p) { return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate; };
+    return std::ranges::all_of(paths, [&](const Path& path) {
+        return fits(path.start) && std::ranges::all_of(path.segments, [&](const Segment& segment) {
+                   return fits(segment.control1) && fits(segment.control2) && fits(segment.to);
+               });
+    });
+}
+
+bool is_dot(const Path& path) {
+    return std::ranges::all_of(path.segments, [&](const Segment& segment) {
+        return segment.to == path.start && (segment.straight || (segment.control1 == path.start && segment.control2 == path.start));
+    });
+}
+
+bool encloses_area(const Path& path) {
+    const auto count = path.segments.size();
+    return count > 1 || (count == 1 && !path.segments.front().straight);
+}
+
+/// Dots without caps draw nothing; square ones are given the direction that they have in user space.
+std::vector<Path> with_dots_settled(std::vector<Path> outline, const Affine& map, const Style& style) {
+    const bool capped = paints_stroke(style) && style.stroke.cap != LineCap::butt;
+    if (!capped) std::erase_if(outline, is_dot);
+    std::vector<Path> paths = transformed(outline, map);
+    const bool turned = map.b != 0 && map.a != 0;
+    if (!capped || style.stroke.cap != LineCap::square || !turned) return paths;
+    const Point direction = Point{map.a, map.b} * (dot_length * style.stroke.width / std::hypot(map.a, map.b));
+    for (Path& path : paths)
+        if (is_dot(path)) path = {path.start, {line_to(path.start + direction)}, false};
+    return paths;
+}
+
+struct ShapeStyle {
+    Style style;
+    bool unsupported = false;
+};
+
+ShapeStyle scene_style(SvgReader& reader, const SvgContext& context, const std::vector<Path>& outline) {
+    const SvgStyle& given = context.style;
+    const Box box = bounds(outline);
+    ShapeStyle result;
+    Style& style = result.style;
+    const SvgPaint fill = resolve_paint(reader, context, given.fill, box);
+    style.fill = fill.paint;
+    style.fill_opacity = given.fill_opacity * fill.opacity;
+    style.fill_rule = given.fill_rule;
+    if (style.fill_opacity <= 0 || std::ranges::none_of(outline, encloses_area)) style.fill = NoPaint{};
+    const SvgPaint stroke = resolve_paint(reader, context, given.stroke, box);
+    style.stroke = stroke_under(given, scene_map(context));
+    style.stroke.opacity = given.stroke_opacity * stroke.opacity;
+    const bool strokes = style.stroke.width > 0 && style.stroke.opacity > 0;
+    if (strokes) style.stroke.paint = stroke.paint;
+    style.crisp_edges = given.crisp_edges;
+    result.unsupported = (fill.unsupported && given.fill_opacity > 0) || (stroke.unsupported && strokes);
+    return result;
+}
+
+Style only_fill(Style style) {
+    style.stroke = {};
+    return style;
+}
+
+Style only_stroke(Style style) {
+    style.fill = NoPaint{};
+    return style;
+}
+
+void draw_paths(SvgReader& reader, const SvgContext& context, const std::vector<Path>& outline, const Style& style) {
+    if (!paints_fill(style) && !paints_stroke(style)) return;
+    Element element;
+    element.paths = with_dots_settled(outline, scene_map(context), style);
+    if (element.paths.empty()) return;
+    element.style = style;
+    if (const std::string_view* id = find_attribute(*context.node, "id")) element.id = *id;
+    add_element(reader, std::move(element), *context.node);
+}
+
+/// Fill, stroke and markers in their order; fill and stroke are one element unless the markers come between them.
+void draw_parts(SvgReader& reader, const SvgContext& context, const std::vector<Path>& outline, Style style, bool marked) {
+    const auto& order = context.style.paint_order;
+    const auto rank = [&](PaintPart part) { return std::ranges::find(order, part) - order.begin(); };
+    style.stroke_first = paints_fill(style) && paints_stroke(style) && rank(PaintPart::stroke) < rank(PaintPart::fill);
+    if (!marked || rank(PaintPart::markers) != 1) {
+        if (marked && rank(PaintPart::markers) == 0) draw_markers(reader, context, outline, style);
+        draw_paths(reader, context, outline, style);
+        if (marked && rank(PaintPart::markers) == 2) draw_markers(reader, context, outline, style);
+        return;
+    }
+    const bool stroke_first = std::exchange(style.stroke_first, false);
+    draw_paths(reader, context, outline, stroke_first ? only_stroke(style) : only_fill(style));
+    draw_markers(reader, context, outline, style);
+    draw_paths(reader, context, outline, stroke_first ? only_fill(style) : only_stroke(style));
+}
+
+}  // namespace
+
+Stroke stroke_under(const SvgStyle& style, const Affine& map) {
+    Stroke stroke;
+    stroke.cap = style.cap;
+    stroke.join = style.join;
+    stroke.miter_limit = style.miter_limit;
+    const bool fixed = style.non_scaling_stroke;
+    const double scale = fixed ? 1 : std::sqrt(std::abs(determinant(map)));
+    stroke.width = style.stroke_width * scale;
+    stroke.dashes = style.dashes;
+    for (double& dash : stroke.dashes) dash *= scale;
+    if (!stroke.dashes.empty()) stroke.dash_offset = style.dash_offset * scale;
+    if (!fixed && !is_even(map)) stroke.pen = pen_of(map);
+    return stroke;
+}
+
+void draw_shape(SvgReader& reader, const SvgContext& context) {
+    if (!context.style.visible) return;
+    const std::vector<Path> outline = outline_of(reader, context);
+    if (outline.empty()) return;
+    if (!in_range(outline) || !in_range(transformed(outline, scene_map(context)))) {
+        reader.warnings.add("{} shapes have coordinates beyond 1e15 and are left out", *context.node);
+        return;
+    }
+    const ShapeStyle shape = scene_style(reader, context, outline);
+    const bool marked = takes_markers(context.node->name) && has_markers(context.style);
+    if (shape.unsupported) {
+        Element measured{.paths = transformed(outline, scene_map(context)), .style = shape.style};
+        measured.style.fill = measured.style.stroke.paint = Color{};
+        const Box box = marked ? Box{} : painted_box(measured);
+        keep_verbatim(reader, *context.parent, *context.node, box, "{} shapes painted with a pattern are kept as they are");
+        return;
+    }
+    if (context.style.non_scaling_stroke && paints_stroke(shape.style))
+        reader.warnings.add("{} strokes that do not scale (vector-effect) have the width of the drawing's own size",
+                            *context.node);
+    if (!marked && !paints_fill(shape.style) && !paints_stroke(shape.style))
+        reader.warnings.add("{} shapes have neither fill nor stroke and are left out", *context.node);
+    draw_parts(reader, context, outline, shape.style, marked);
+}
+
+}  // namespace rinceau
