@@ -34,7 +34,7 @@ struct Production {
 /// the turtle. `verbatim` fragments are in SVG's y-down space about the same origin.
 struct Terminal {
     std::string symbol;
-    int style = 0;  ///< number of a NamedStyle; ignored for verbatim
+    int style = 0;  ///< number of a NumberedStyle, 0 = a default Style; ignored for verbatim
     std::vector<Path> paths;
     std::string verbatim;
     Box verbatim_box;
@@ -45,9 +45,10 @@ struct Terminal {
 
 /// A style by number, so that expressions can choose one: `;(2)` in a string makes the next terminals use style 2.
 struct NumberedStyle {
-    int number = 0;
+    int number = 0;  ///< from 1; 0 means "the terminal's own" in `;(n)`, and black fill in a terminal
     Style style;
     std::string comment;
+    SourcePlace place;
 };
 
 /// define name = value; visible in every expression. Constants may use constants defined before them.
@@ -55,6 +56,7 @@ struct Constant {
     std::string name;
     Expression value;
     std::string comment;
+    SourcePlace place;
 };
 
 /// "except 1.3.2 -> ...": at one address of the derivation (derive.h) the module that stands there is replaced, before

@@ -1,0 +1,164 @@
+#include "lsystem/compile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsystem/expression_functions.h"
+
+namespace rinceau {
+
+bool has_style(const Grammar& grammar, int number) {
+    return number == 0 || std::ranges::find(grammar.styles, number, &NumberedStyle::number) != grammar.styles.end();
+}
+
+std::vector<std::pair<std::string, double>> evaluate_constants(const Grammar& grammar) {
+    Scope scope;
+    for (const Constant& constant : grammar.constants) {
+        const Program program = compile_expression(constant.value, scope, constant.place);
+        const double value = program.code.front().number;  // folded: the scope has constants only
+        if (!std::isfinite(value)) {
+            throw InputError(constant.place, "expected a finite value of the constant " + constant.name + ", found " +
+                                                 to_text(constant.value));
+        }
+        scope.constants.emplace_back(constant.name, value);
+    }
+    return scope.constants;
+}
+
+namespace {
+
+class Compiler {
+  public:
+    explicit Compiler(const Grammar& grammar) { result_.grammar = &grammar; }
+
+    CompiledGrammar compile() {
+        const Grammar& grammar = *result_.grammar;
+        scope_.constants = evaluate_constants(grammar);
+        add_symbols(grammar);
+        for (const Production& production : grammar.productions) add_production(production);
+        scope_.parameters.clear();
+        result_.axiom = compile_string(grammar.axiom);
+        for (const Exception& exception : grammar.exceptions) {
+            result_.exceptions.push_back(compile_string(exception.successor));
+        }
+        result_.exception_tree = ExceptionTree(grammar.exceptions);
+        result_.terminal_of.resize(result_.symbols.size(), -1);
+        result_.productions_of.resize(result_.symbols.size());
+        for (const CompiledProduction& production : result_.productions) check_production_arity(production.successor);
+        check_production_arity(result_.axiom);
+        for (const CompiledString& successor : result_.exceptions) check_production_arity(successor);
+        return std::move(result_);
+    }
+
+  private:
+    CompiledGrammar result_;
+    Scope scope_;
+    std::unordered_map<std::string, Symbol> numbers_;
+
+    Symbol number_of(const std::string& symbol) {
+        const auto [place, added] = numbers_.try_emplace(symbol, static_cast<Symbol>(result_.symbols.size()));
+        if (added) result_.symbols.push_back(symbol);
+        return place->second;
+    }
+
+    void add_symbols(const Grammar& grammar) {
+        for (const TurtleCommandInfo& command : turtle_commands()) number_of(std::string(command.symbol));
+        for (const Production& production : grammar.productions) {
+            const auto symbol = static_cast<std::size_t>(number_of(production.symbol));
+            if (symbol < command_count) {
+                throw InputError(production.place,
+                                 "expected a symbol of your own before ->, found the command '" + production.symbol + "'");
+            }
+            if (result_.productions_of.size() <= symbol) result_.productions_of.resize(symbol + 1);
+            result_.productions_of[symbol].push_back(static_cast<int>(&production - grammar.productions.data()));
+        }
+        for (const Terminal& terminal : grammar.terminals) {
+            const auto symbol = static_cast<std::size_t>(number_of(terminal.symbol));
+            if (result_.terminal_of.size() <= symbol) result_.terminal_of.resize(symbol + 1, -1);
+            result_.terminal_of[symbol] = static_cast<int>(&terminal - grammar.terminals.data());
+            if (terminal.verbatim.empty() && !has_style(grammar, terminal.style)) {
+                throw InputError(terminal.place, "expected 'style " + std::to_string(terminal.style) +
+                                                     ": ..' in the grammar, for the terminal " + terminal.symbol);
+            }
+        }
+    }
+
+    Program compile_expression_here(const Expression& expression, const SourcePlace& place) {
+        Program program = compile_expression(expression, scope_, place);
+        result_.stack_size = std::max(result_.stack_size, program.stack_size);
+        return program;
+    }
+
+    void add_production(const Production& production) {
+        CompiledProduction compiled;
+        compiled.symbol = number_of(production.symbol);
+        compiled.parameters = static_cast<int>(production.parameters.size());
+        scope_.parameters = production.parameters;
+        compiled.conditional = production.condition.has_value();
+        if (compiled.conditional) compiled.condition = compile_expression_here(*production.condition, production.place);
+        compiled.successor = compile_string(production.successor);
+        result_.productions.push_back(std::move(compiled));
+    }
+
+    void check_arity(const ModuleTemplate& module) const {
+        const TurtleCommandInfo* command = find_turtle_command(module.symbol);
+        if (command != nullptr && static_cast<int>(module.arguments.size()) != command->arity) {
+            throw InputError(module.place, "expected " + std::to_string(command->arity) + " argument(s) of the command " +
+                                               module.symbol + ", found " + std::to_string(module.arguments.size()));
+        }
+    }
+
+    /// A module of a symbol that has productions must fit one of them.
+    void check_production_arity(const CompiledString& modules) const {
+        for (const CompiledModule& module : modules) {
+            const std::vector<int>& candidates = result_.productions_of[static_cast<std::size_t>(module.symbol)];
+            const auto fits = [&](int index) {
+                return result_.productions[static_cast<std::size_t>(index)].parameters ==
+                       static_cast<int>(module.arguments.size());
+            };
+            if (candidates.empty() || std::ranges::any_of(candidates, fits)) continue;
+            const int wanted = result_.productions[static_cast<std::size_t>(candidates.front())].parameters;
+            throw InputError(module.source->place, "expected " + std::to_string(wanted) + " argument(s) of " +
+                                                       module.source->symbol + ", as in its production, found " +
+                                                       std::to_string(module.arguments.size()));
+        }
+    }
+
+    CompiledString compile_string(const std::vector<ModuleTemplate>& modules) {
+        CompiledString result;
+        for (const ModuleTemplate& module : modules) {
+            check_arity(module);
+            CompiledModule compiled;
+            compiled.symbol = number_of(module.symbol);
+            compiled.position = static_cast<int>(result.size());
+            compiled.source = &module;
+            for (const Expression& argument : module.arguments) {
+                compiled.arguments.push_back(compile_expression_here(argument, module.place));
+            }
+            fold_constants(compiled);
+            result_.max_arity = std::max(result_.max_arity, module.arguments.size());
+            result.push_back(std::move(compiled));
+        }
+        return result;
+    }
+
+    static void fold_constants(CompiledModule& module) {
+        module.constant = std::ranges::all_of(module.arguments, is_constant);
+        if (!module.constant) return;
+        for (const Program& argument : module.arguments) module.values.push_back(argument.code.front().number);
+        if (!std::ranges::all_of(module.values, [](double value) { return std::isfinite(value); })) {
+            throw InputError(module.source->place, "expected finite arguments of " + module.source->symbol);
+        }
+        if (module.symbol <= static_cast<Symbol>(TurtleCommand::right)) {
+            const double angle =
+                module.symbol == static_cast<Symbol>(TurtleCommand::right) ? -module.values[0] : module.values[0];
+            module.turn = {cosine_of_degrees(angle), sine_of_degrees(angle)};
+        }
+    }
+};
+
+}  // namespace
+
+CompiledGrammar compile(const Grammar& grammar) { return Compiler(grammar).compile(); }
+
+}  // namespace rinceau

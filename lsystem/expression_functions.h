@@ -1,0 +1,31 @@
+#pragma once
+// The functions and constants of expressions, as data. Internal to the folder.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace rinceau {
+
+/// One function. `at_most` arguments; `evaluate` gets between at_least and at_most numbers.
+struct ExpressionFunction {
+    std::string_view name;
+    int at_least;
+    int at_most;
+    double (*evaluate)(std::span<const double> arguments);
+};
+
+/// Most arguments that any function takes.
+constexpr int max_function_arguments = 64;
+
+/// nullptr if there is no function of that name.
+const ExpressionFunction* find_expression_function(std::string_view name);
+
+/// pi, e.
+std::optional<double> named_constant(std::string_view name);
+
+/// Cosine and sine of an angle in degrees; exact at multiples of 90 degrees, so that quarter turns keep round numbers round.
+double cosine_of_degrees(double angle);
+double sine_of_degrees(double angle);
+
+}  // namespace rinceau

@@ -1,0 +1,217 @@
+#include "lsystem/grammar_text.h"
+
+#include <array>
+
+#include "lsystem/number_text.h"
+#include "lsystem/parse_statement.h"
+#include "lsystem/statement.h"
+#include "lsystem/style_text.h"
+#include "scene/svg_write.h"
+
+namespace rinceau {
+
+Grammar parse_grammar(std::string_view text, const std::string& file_name) {
+    StatementList list = split_statements(text, file_name);
+    ParseState state;
+    for (const Statement& statement : list.statements) {
+        if (!list.faults.empty() && list.faults.front().place.line <= statement.place.line) break;
+        parse_statement(statement, state);
+    }
+    if (!list.faults.empty()) throw InputError(list.faults.front().place, list.faults.front().message);
+    if (!state.versioned)
+        throw InputError({file_name, 1, 1}, "expected 'lsystem 1' as the first statement, found an empty text");
+    state.grammar.comments.insert(state.grammar.comments.begin(), list.comments.begin(), list.comments.end());
+    return std::move(state.grammar);
+}
+
+namespace {
+
+constexpr std::size_t line_width = 110;
+
+void append_comment(std::string& text, const std::string& line) {
+    text += line.empty() ? "#" : "# ";
+    text += line;
+    text += '\n';
+}
+
+std::string commented(const std::string& comment) {
+    std::string text;
+    for (const std::string& line : comment_lines(comment)) append_comment(text, line);
+    return text;
+}
+
+std::string quoted(const std::string& value) {
+    std::string text = "\"";
+    for (const char c : value) {
+        constexpr std::string_view special = "\"\\\n\r\t";
+        const std::size_t known = special.find(c);
+        if (known == std::string_view::npos) {
+            text += c;
+        } else {
+            text += '\\';
+            text += "\"\\nrt"[known];
+        }
+    }
+    return text + '"';
+}
+
+std::string module_text(const ModuleTemplate& module) {
+    std::string text = module.symbol;
+    for (std::size_t i = 0; i < module.arguments.size(); ++i) {
+        text += i == 0 ? "(" : ", ";
+        text += to_text(module.arguments[i]);
+    }
+    return module.arguments.empty() ? text : text + ')';
+}
+
+/// "[A] f(13) P1(m-1)": brackets close to what they hold; long strings go on in indented lines.
+std::string modules_text(const std::vector<ModuleTemplate>& modules, std::size_t column) {
+    std::string text;
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        const std::string module = module_text(modules[i]);
+        const bool close = i > 0 && (modules[i - 1].symbol == "[" || modules[i].symbol == "]");
+        if (!close) {
+            const bool full = i > 0 && column + 1 + module.size() > line_width;
+            text += full ? "\n  " : " ";
+            column = full ? 2 : column + 1;
+        }
+        text += module;
+        column += module.size();
+    }
+    return text;
+}
+
+/// Path data in lines that end before a command.
+std::string wrapped_path(const std::string& data) {
+    std::string text;
+    std::size_t column = 0;
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        if (column > line_width && std::string_view("MLHVCZ").find(data[i]) != std::string_view::npos) {
+            text += "\n  ";
+            column = 2;
+        }
+        text += data[i];
+        ++column;
+    }
+    return text;
+}
+
+std::string canvas_text(const Grammar& grammar) {
+    const Box& box = grammar.canvas;
+    const std::string ending = grammar.sized ? "\n" : " unsized\n";
+    if (is_empty(box)) return grammar.sized ? "" : "canvas none unsized\n";
+    const double top = -box.high.y;
+    const double bottom = -box.low.y;
+    const double across = box.high.x - box.low.x;
+    const double down = bottom - top;
+    // a width says more than a right edge, but must give the same edge again
+    const bool exact = box.low.x + across == box.high.x && top + down == bottom;
+    std::string text = exact ? "canvas" : "canvas corners";
+    for (const double number : {box.low.x, top, exact ? across : box.high.x, exact ? down : bottom}) {
+        text += ' ';
+        text += number_text(number);
+    }
+    return text + ending;
+}
+
+std::string production_text(const Production& production) {
+    std::string text = production.symbol;
+    for (std::size_t i = 0; i < production.parameters.size(); ++i) {
+        text += i == 0 ? "(" : ", ";
+        text += production.parameters[i];
+    }
+    if (!production.parameters.empty()) text += ')';
+    if (production.condition) text += " : " + to_text(*production.condition);
+    text += " ->";
+    return text + modules_text(production.successor, text.size()) + '\n';
+}
+
+std::string exception_text(const Exception& exception) {
+    std::string text = "except ";
+    for (std::size_t i = 0; i < exception.address.size(); ++i) {
+        if (i > 0) text += '.';
+        text += std::to_string(exception.address[i]);
+    }
+    text += " ->";
+    return text + modules_text(exception.successor, text.size()) + '\n';
+}
+
+/// A name that is no line of the fragment.
+std::string fragment_tag(const std::string& fragment) {
+    const std::string lines = '\n' + fragment + '\n';
+    const auto taken = [&](const std::string& tag) {
+        return lines.find('\n' + tag + '\n') != std::string::npos || lines.find('\n' + tag + "\r\n") != std::string::npos;
+    };
+    std::string tag = "SVG";
+    for (int number = 1; taken(tag); ++number) tag = "SVG" + std::to_string(number);
+    return tag;
+}
+
+std::string verbatim_text(const Terminal& terminal) {
+    const std::string tag = fragment_tag(terminal.verbatim);
+    return "verbatim <<<" + tag + '\n' + terminal.verbatim + '\n' + tag;
+}
+
+std::string terminal_text(const Terminal& terminal) {
+    std::vector<std::string> parts;
+    if (terminal.style != 0) parts.push_back("style " + std::to_string(terminal.style));
+    if (!terminal.paths.empty()) parts.push_back("path \"" + wrapped_path(svg_path_data(terminal.paths)) + '"');
+    if (!terminal.id.empty()) parts.push_back("id " + quoted(terminal.id));
+    if (!is_empty(terminal.verbatim_box)) {
+        const Box& box = terminal.verbatim_box;
+        parts.push_back("box " + number_text(box.low.x) + ' ' + number_text(-box.high.y) + ' ' + number_text(box.high.x) +
+                        ' ' + number_text(-box.low.y));
+    }
+    if (!terminal.verbatim.empty()) parts.push_back(verbatim_text(terminal));
+    std::string text = "terminal " + terminal.symbol + ':';
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        text += i > 0 ? "; " : " ";
+        text += parts[i];
+    }
+    return text + '\n';
+}
+
+/// Sections are set apart by an empty line.
+void append_section(std::string& text, const std::string& section) {
+    if (section.empty()) return;
+    text += '\n';
+    text += section;
+}
+
+}  // namespace
+
+std::string to_text(const Grammar& grammar) {
+    std::string text = "lsystem 1\n";
+    if (!grammar.title.empty()) text += "title " + quoted(grammar.title) + '\n';
+    std::string comments;
+    for (const std::string& line : grammar.comments) append_comment(comments, line);
+    append_section(text, comments);
+    append_section(text, canvas_text(grammar));
+    std::string section;
+    for (const Constant& constant : grammar.constants) {
+        section += commented(constant.comment) + "define " + constant.name + " = " + to_text(constant.value) + '\n';
+    }
+    append_section(text, section);
+    constexpr std::string_view axiom = "axiom:";
+    if (!grammar.axiom.empty()) append_section(text, std::string(axiom) + modules_text(grammar.axiom, axiom.size()) + '\n');
+    section.clear();
+    for (const Production& production : grammar.productions)
+        section += commented(production.comment) + production_text(production);
+    append_section(text, section);
+    section.clear();
+    for (const Exception& exception : grammar.exceptions)
+        section += commented(exception.comment) + exception_text(exception);
+    append_section(text, section);
+    section.clear();
+    for (const NumberedStyle& style : grammar.styles) {
+        section +=
+            commented(style.comment) + "style " + std::to_string(style.number) + ": " + style_text(style.style) + '\n';
+    }
+    append_section(text, section);
+    section.clear();
+    for (const Terminal& terminal : grammar.terminals) section += commented(terminal.comment) + terminal_text(terminal);
+    append_section(text, section);
+    return text;
+}
+
+}  // namespace rinceau

@@ -1,0 +1,152 @@
+// Turtle interpretation (Stava et al. 2010, Table 1; mirror, style and layer added).
+
+#include "lsystem/interpret.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsystem/expression_functions.h"
+#include "lsystem/stream.h"
+
+namespace rinceau {
+
+namespace {
+
+struct TurtleState {
+    Similarity pose;
+    int style = 0;
+    int layer = 0;
+};
+
+class Turtle {
+  public:
+    Turtle(const CompiledGrammar& grammar, const InterpretOptions& options) : grammar_(grammar), options_(options) {}
+
+    void command(const CompiledModule& module, double argument) {
+        switch (static_cast<TurtleCommand>(module.symbol)) {
+            case TurtleCommand::left:
+                turn(module.constant ? module.turn : turn_by(argument));
+                break;
+            case TurtleCommand::right:
+                turn(module.constant ? module.turn : turn_by(-argument));
+                break;
+            case TurtleCommand::forward:
+                state_.pose.translation += state_.pose.linear * flipped_if(state_.pose.mirrored, {0, argument});
+                break;
+            case TurtleCommand::scale:
+                if (!(argument > 0)) fail(module, "expected a scale above 0", argument);
+                state_.pose.linear = argument * state_.pose.linear;
+                break;
+            case TurtleCommand::mirror:
+                state_.pose = state_.pose * mirror_about_heading();
+                break;
+            case TurtleCommand::push:
+                stack_.push_back(state_);
+                break;
+            case TurtleCommand::pop:
+                pop(module);
+                break;
+            case TurtleCommand::style:
+                set_style(module, argument);
+                break;
+            case TurtleCommand::layer:
+                raise(module, argument);
+                break;
+        }
+    }
+
+    void leaf(const CompiledModule& module, std::span<const double>, const StreamPlace& place) {
+        const int terminal = grammar_.terminal_of[static_cast<std::size_t>(module.symbol)];
+        if (terminal < 0) return;
+        check_range(module);
+        Placement placement;
+        placement.terminal = terminal;
+        placement.style = state_.style;
+        placement.layer = state_.layer;
+        placement.pose = state_.pose;
+        placement.order = static_cast<int>(placements_.size());
+        placement.production = std::max(place.occurrence.production, -1);
+        if (options_.addresses) {
+            placement.address.reserve(place.address_front.size() + 1);
+            placement.address = place.address_front;
+            placement.address.push_back(place.number);
+        }
+        if (options_.trails) {
+            placement.trail.reserve(place.trail_front.size() + 1);
+            placement.trail = place.trail_front;
+            placement.trail.push_back(place.occurrence);
+        }
+        placements_.push_back(std::move(placement));
+    }
+
+    std::vector<Placement> take_in_paint_order() {
+        if (layered_) std::ranges::stable_sort(placements_, {}, &Placement::layer);
+        return std::move(placements_);
+    }
+
+  private:
+    const CompiledGrammar& grammar_;
+    const InterpretOptions& options_;
+    TurtleState state_;
+    std::vector<TurtleState> stack_;
+    std::vector<Placement> placements_;
+    bool layered_ = false;
+    int known_style_ = 0;  // the style looked up last: a string changes style far more often than it meets a new one
+
+    [[noreturn]] static void fail(const CompiledModule& module, const std::string& expected, double found) {
+        throw InputError(module.source->place,
+                         expected + " in " + module.source->symbol + "(..), found " + to_text(number_expression(found)));
+    }
+
+    static Complex turn_by(double degrees) { return {cosine_of_degrees(degrees), sine_of_degrees(degrees)}; }
+
+    void turn(Complex by) { state_.pose.linear = state_.pose.linear * flipped_if(state_.pose.mirrored, by); }
+
+    void pop(const CompiledModule& module) {
+        if (stack_.empty()) throw InputError(module.source->place, "expected '[' before this ']', found none");
+        state_ = stack_.back();
+        stack_.pop_back();
+    }
+
+    static bool is_whole(double value) {
+        constexpr double largest = 1e9;  // fits an int
+        return std::abs(value) <= largest && value == std::floor(value);
+    }
+
+    void set_style(const CompiledModule& module, double argument) {
+        if (!is_whole(argument)) fail(module, "expected a whole number of a style", argument);
+        const int number = static_cast<int>(argument);
+        if (number != known_style_ && !has_style(*grammar_.grammar, number)) {
+            fail(module, "expected the number of a style of the grammar, or 0,", argument);
+        }
+        state_.style = known_style_ = number;
+    }
+
+    void raise(const CompiledModule& module, double argument) {
+        if (!is_whole(argument) || !is_whole(argument + state_.layer))
+            fail(module, "expected a whole number of layers", argument);
+        state_.layer += static_cast<int>(argument);
+        layered_ = true;
+    }
+
+    void check_range(const CompiledModule& module) const {
+        const Similarity& pose = state_.pose;
+        const double size = norm(pose.linear);
+        if (std::isfinite(size) && size > 0 && std::isfinite(pose.translation.x) && std::isfinite(pose.translation.y))
+            return;
+        throw InputError(module.source->place,
+                         "expected " + module.source->symbol +
+                             " at a finite place and scale, found the turtle beyond the range of numbers");
+    }
+};
+
+}  // namespace
+
+std::vector<Placement> interpret(const Grammar& grammar, const InterpretOptions& options, const Progress& progress) {
+    const CompiledGrammar compiled = compile(grammar);
+    Turtle turtle(compiled, options);
+    stream_modules(compiled, options.derive, progress, options.addresses || options.trails, turtle);
+    return turtle.take_in_paint_order();
+}
+
+}  // namespace rinceau

@@ -1,0 +1,24 @@
+#include "lsystem/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace rinceau {
+
+std::string number_text(double value) {
+    if (value == 0) return "0";
+    // 100000 reads better than the shorter 1e+05
+    const bool plain = std::abs(value) >= 1e-6 && std::abs(value) < 1e15;
+    std::array<char, 64> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                      plain ? std::chars_format::fixed : std::chars_format::general);
+    return {buffer.data(), result.ptr};
+}
+
+bool is_name(std::string_view text) {
+    return !text.empty() && starts_name(text.front()) && std::ranges::all_of(text, continues_name);
+}
+
+}  // namespace rinceau

@@ -1,0 +1,36 @@
+#pragma once
+// The lines of a grammar's text as statements with their comments. Internal to the folder.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/input_error.h"
+
+namespace rinceau {
+
+/// A line that begins at the margin with the indented lines below it. Comments are blanks in `text`, so that places in it
+/// are places in the file.
+struct Statement {
+    std::string text;
+    SourcePlace place;     ///< of the first character
+    std::string comment;   ///< the comment lines right before it, then those behind its own lines
+    std::string verbatim;  ///< what stands between <<<TAG and TAG, without the last line end
+    bool has_verbatim = false;
+};
+
+struct StatementList {
+    std::vector<Statement> statements;
+    std::vector<std::string> comments;  ///< comment lines that belong to no statement: an empty line follows them
+    std::vector<Warning> faults;        ///< what cannot be a statement
+};
+
+StatementList split_statements(std::string_view text, const std::string& file_name);
+
+/// The place of an offset in a statement's text.
+SourcePlace place_in(const Statement& statement, std::size_t offset);
+
+/// The lines of a comment; none for an empty one.
+std::vector<std::string> comment_lines(const std::string& comment);
+
+}  // namespace rinceau
