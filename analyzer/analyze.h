@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/importance.h"
 #include "analyzer/instancing.h"
 #include "analyzer/verify.h"
 #include "geometry/progress.h"
@@ -11,14 +12,6 @@
 #include "scene/element.h"
 
 namespace rinceau {
-
-/// The four weights of the paper's importance function (eq. 5), 0..4, 1 = neutral: they steer which structure is preferred.
-struct ImportanceWeights {
-    double count = 1;       ///< w_n: structures that repeat often
-    double nearness = 1;    ///< w_h: near elements first
-    double similarity = 1;  ///< w_phi: small deviations first
-    double length = 1;      ///< w_l: long sequences first
-};
 
 struct AnalyzeOptions {
     SimilarityOptions similarity;

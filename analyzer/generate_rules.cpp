@@ -1,0 +1,146 @@
+#include "analyzer/generate_rules.h"
+
+#include <algorithm>
+#include <queue>
+#include <set>
+
+#include "analyzer/propose.h"
+#include "analyzer/substitute.h"
+
+namespace rinceau {
+
+namespace {
+
+struct Candidate {
+    Hypothesis hypothesis;
+    Evaluation evaluation;
+    bool evaluated = false;
+    long version_from = -1, version_to = -1;  // of the parts when it was evaluated
+    bool dead = false;
+};
+
+struct Entry {
+    double score;
+    std::size_t candidate;
+    bool operator<(const Entry& other) const {
+        return score != other.score ? score < other.score : candidate > other.candidate;
+    }
+};
+
+class Search {
+  public:
+    Search(SearchState state, const SearchOptions& options, const Progress& progress)
+        : state_(std::move(state)), options_(options), progress_(progress), grids_(state_) {}
+
+    SearchState run() {
+        propose_everything();
+        bool again = true;
+        while (again) {
+            again = false;
+            while (accept_best()) again = true;
+            // One full regeneration: neighbours have changed since.
+            if (again) {
+                candidates_.clear();
+                queue_ = {};
+                propose_everything();
+            }
+        }
+        return std::move(state_);
+    }
+
+  private:
+    long& version(int part) {
+        if (versions_.size() <= static_cast<std::size_t>(part)) versions_.resize(static_cast<std::size_t>(part) + 1, 0);
+        return versions_[static_cast<std::size_t>(part)];
+    }
+
+    void add(std::vector<Hypothesis> hypotheses) {
+        for (Hypothesis& hypothesis : hypotheses) {
+            const double bound = optimistic_score(state_, hypothesis);
+            if (bound <= 0) continue;
+            queue_.push({bound, candidates_.size()});
+            Candidate candidate;
+            candidate.hypothesis = std::move(hypothesis);
+            candidates_.push_back(std::move(candidate));
+        }
+    }
+
+    void propose_everything() {
+        std::vector<int> everything;
+        for (std::size_t p = 0; p < state_.members.size(); ++p) {
+            add(propose_sequences(state_, static_cast<int>(p)));
+            everything.insert(everything.end(), state_.members[p].begin(), state_.members[p].end());
+        }
+        std::ranges::sort(everything);
+        add(propose_groups(state_, everything));
+    }
+
+    bool is_current(const Candidate& candidate) {
+        return candidate.evaluated && candidate.version_from == version(candidate.hypothesis.from) &&
+               candidate.version_to == version(candidate.hypothesis.to);
+    }
+
+    /// Takes hypotheses from the queue, best first, evaluating lazily, until one is worth a rule.
+    bool accept_best() {
+        while (!queue_.empty()) {
+            const Entry entry = queue_.top();
+            queue_.pop();
+            Candidate& candidate = candidates_[entry.candidate];
+            if (candidate.dead || entry.score <= 0) continue;
+            if (!is_current(candidate)) {
+                candidate.evaluation = evaluate(state_, grids_, candidate.hypothesis, options_, queue_.size());
+                candidate.evaluated = true;
+                candidate.version_from = version(candidate.hypothesis.from);
+                candidate.version_to = version(candidate.hypothesis.to);
+                const bool worth = candidate.evaluation.gain > 0 && candidate.evaluation.score > 0;
+                if (worth) {
+                    queue_.push({candidate.evaluation.score, entry.candidate});
+                } else {
+                    candidate.evaluation = {};
+                }
+                continue;
+            }
+            if (apply(candidate)) return true;
+            candidate.dead = true;
+        }
+        return false;
+    }
+
+    bool apply(Candidate& candidate) {
+        const Hypothesis hypothesis = candidate.hypothesis;
+        const Substitution made = substitute(state_, hypothesis, candidate.evaluation);
+        if (made.new_items.empty()) return false;
+        candidate.dead = true;
+        for (const int part : made.touched_parts) {
+            ++version(part);
+            grids_.forget(part);
+        }
+        propose_anew(made);
+        consumed_ += static_cast<double>(made.new_items.size());
+        report(progress_, "rules", 1 - 1 / (1 + consumed_ / 10));
+        return true;
+    }
+
+    void propose_anew(const Substitution& made) {
+        // Parts that lost items: the hypotheses about what is left may have been hidden before.
+        for (const int part : made.touched_parts) add(propose_sequences(state_, part));
+        add(propose_groups(state_, made.new_items));
+    }
+
+    SearchState state_;
+    SearchOptions options_;
+    const Progress& progress_;
+    GridCache grids_;
+    std::vector<Candidate> candidates_;
+    std::priority_queue<Entry> queue_;
+    std::vector<long> versions_;
+    double consumed_ = 0;
+};
+
+}  // namespace
+
+SearchState generate_rules(SearchState state, const SearchOptions& options, const Progress& progress) {
+    return Search(std::move(state), options, progress).run();
+}
+
+}  // namespace rinceau

@@ -1,0 +1,260 @@
+#include "analyzer/propose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analyzer/canonical_step.h"
+#include "geometry/kd_tree.h"
+#include "lsystem/turtle_step.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr std::size_t neighbours_in_part = 8;
+constexpr std::size_t neighbours_for_triples = 6;
+constexpr std::size_t neighbours_in_scene = 12;
+constexpr std::size_t small_part = 40;        // all pairs are tried up to here
+constexpr std::size_t few_items = 6;          // a single vote is enough up to here
+constexpr std::size_t most_sequences = 200;   // hypotheses kept for one part
+constexpr std::size_t most_groups = 50;       // ... for one pair of parts
+constexpr double cells_per_tolerance = 3;
+
+VoteCell vote_cell(const SearchState& state, int to) {
+    VoteCell cell;
+    cell.place = cells_per_tolerance * state.tolerance.size;
+    cell.spin = cells_per_tolerance * state.tolerance.turn(state.part(to).radius) / 1.5;
+    cell.per_distance = state.tolerance.per_distance;
+    return cell;
+}
+
+/// For each item of a list its nearest others of the same list, as items.
+std::vector<std::vector<int>> neighbour_lists(const SearchState& state, const std::vector<int>& items, std::size_t count) {
+    std::vector<Point> origins;
+    origins.reserve(items.size());
+    for (const int i : items) origins.push_back(state.item(i).pose.translation);
+    const KdTree tree(origins);
+    std::vector<std::vector<int>> lists(items.size());
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        for (const Neighbor& neighbour : tree.nearest(origins[k], count + 1)) {
+            if (neighbour.index != k) lists[k].push_back(items[neighbour.index]);
+        }
+        if (lists[k].size() > count) lists[k].resize(count);
+    }
+    return lists;
+}
+
+struct Space {
+    double votes = 0;
+    double reach = 1;
+    void see(const Similarity& step) {
+        ++votes;
+        reach = std::max(reach, abs(step.translation));
+    }
+};
+
+void add_hypotheses(std::vector<Hypothesis>& hypotheses, const Hypothesis& pattern, const std::vector<StepCluster>& clusters,
+                    const Space& space) {
+    for (const StepCluster& cluster : clusters) {
+        Hypothesis hypothesis = pattern;
+        hypothesis.step = cluster.step;
+        hypothesis.turn_change = cluster.turn_change;
+        hypothesis.spin_change = cluster.spin_change;
+        for (const StepVote& vote : cluster.votes) hypothesis.votes.emplace_back(vote.source, vote.target);
+        hypothesis.votes_in_space = space.votes;
+        hypothesis.reach = space.reach;
+        hypotheses.push_back(std::move(hypothesis));
+    }
+}
+
+double still_of(const SearchState& state) { return state.tolerance.size; }
+
+/// Constant steps between directed items, and concentric steps of any.
+void propose_constant_steps(const SearchState& state, int p, const std::vector<std::vector<int>>& neighbours,
+                            std::vector<Hypothesis>& hypotheses) {
+    const Part& part = state.part(p);
+    const std::vector<int>& items = state.alive(p);
+    const VoteCell cell = vote_cell(state, p);
+    StepVotes votes;
+    Space space;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        for (const int j : neighbours[k]) {
+            const Similarity step = step_between(state.item(items[k]).pose, state.item(j).pose);
+            if (part.symmetry.continuous && abs(step.translation) > still_of(state)) continue;
+            const Similarity canonical = canonical_step(part, part, step, still_of(state));
+            votes.add({canonical, items[k], j}, step_coordinates(canonical, cell));
+            space.see(step);
+        }
+    }
+    const std::size_t least = items.size() <= few_items ? 1 : 2;
+    add_hypotheses(hypotheses, {RuleKind::sequence, p, p}, votes.clusters(least, most_sequences), space);
+}
+
+/// Parts without direction: pairs (distance and size) and triples (turn as well).
+void propose_directed_steps(const SearchState& state, int p, const std::vector<std::vector<int>>& neighbours,
+                            std::vector<Hypothesis>& hypotheses) {
+    const std::vector<int>& items = state.alive(p);
+    std::map<int, std::size_t> slot;
+    for (std::size_t k = 0; k < items.size(); ++k) slot[items[k]] = k;
+    const VoteCell cell = vote_cell(state, p);
+    StepVotes pairs, triples;
+    Space pair_space, triple_space;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        const Similarity& a = state.item(items[k]).pose;
+        for (const int j : neighbours[k]) {
+            const Similarity& b = state.item(j).pose;
+            const Point way = b.translation - a.translation;
+            const double advance = abs(way) / scale_of(a);
+            const double growth = scale_of(b) / scale_of(a);
+            if (advance <= still_of(state)) continue;
+            const Similarity pair{{growth, 0}, {0, advance}, false};
+            pair_space.see(pair);
+            if (growth <= 1 + state.tolerance.angle) pairs.add({pair, items[k], j}, step_coordinates(pair, cell));
+            const auto& onward = neighbours[slot[j]];
+            for (std::size_t n = 0; n < std::min(onward.size(), neighbours_for_triples); ++n) {
+                const int l = onward[n];
+                if (l == items[k]) continue;
+                const Similarity& c = state.item(l).pose;
+                const Point next_way = c.translation - b.translation;
+                const double reach = state.tolerance.shift(scale_of(b), abs(next_way));
+                if (std::abs(abs(next_way) - advance * scale_of(b)) > reach) continue;
+                if (std::abs(scale_of(c) / scale_of(b) / growth - 1) > state.tolerance.turn(1)) continue;
+                const double turn = arg(next_way / way);
+                // Walked the other way, an even chain turns the other way.
+                if (turn < -state.tolerance.angle && std::abs(growth - 1) <= state.tolerance.angle) continue;
+                const Similarity step{polar(growth, turn), {0, advance}, false};
+                triple_space.see(step);
+                triples.add({step, items[k], j}, step_coordinates(step, cell));
+            }
+        }
+    }
+    Hypothesis pattern{RuleKind::sequence, p, p};
+    pattern.directed = true;
+    add_hypotheses(hypotheses, pattern, triples.clusters(1, most_sequences), triple_space);
+    pattern.pairs_only = true;
+    const std::size_t least = items.size() <= few_items ? 1 : 2;
+    add_hypotheses(hypotheses, pattern, pairs.clusters(least, most_sequences), pair_space);
+}
+
+/// Steps of constant d and s whose alpha and beta grow evenly (eq. 4).
+void propose_linear_steps(const SearchState& state, int p, const std::vector<std::vector<int>>& neighbours,
+                          std::vector<Hypothesis>& hypotheses) {
+    constexpr double largest_change = pi / 3;
+    const std::vector<int>& items = state.alive(p);
+    std::map<int, std::size_t> slot;
+    for (std::size_t k = 0; k < items.size(); ++k) slot[items[k]] = k;
+    const VoteCell cell = vote_cell(state, p);
+    StepVotes votes;
+    Space space;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        for (std::size_t n = 0; n < std::min(neighbours[k].size(), neighbours_for_triples); ++n) {
+            const int j = neighbours[k][n];
+            const Similarity first = step_between(state.item(items[k]).pose, state.item(j).pose);
+            const TurtleStep t1 = to_turtle_step(first, still_of(state));
+            if (t1.advance <= 0 || t1.mirrored) continue;
+            const auto& onward = neighbours[slot[j]];
+            for (std::size_t m = 0; m < std::min(onward.size(), neighbours_for_triples); ++m) {
+                if (onward[m] == items[k]) continue;
+                const TurtleStep t2 = to_turtle_step(step_between(state.item(j).pose, state.item(onward[m]).pose));
+                if (t2.mirrored || std::abs(t2.advance - t1.advance) > state.tolerance.shift(1, t1.advance)) continue;
+                if (std::abs(t2.scale / t1.scale - 1) > state.tolerance.turn(1)) continue;
+                const double turn_change = wrap_angle(t2.turn - t1.turn);
+                const double spin_change = wrap_angle(t2.spin - t1.spin);
+                if (std::abs(turn_change) > largest_change || std::abs(spin_change) > largest_change) continue;
+                if (std::abs(turn_change) + std::abs(spin_change) < 2 * state.tolerance.angle) continue;
+                const StepVote vote{first, items[k], j, turn_change, spin_change};
+                votes.add(vote, linear_coordinates(vote, cell));
+                space.see(first);
+            }
+        }
+    }
+    add_hypotheses(hypotheses, {RuleKind::linear, p, p}, votes.clusters(2, most_sequences), space);
+}
+
+}  // namespace
+
+std::vector<Hypothesis> propose_sequences(const SearchState& state, int p) {
+    std::vector<Hypothesis> hypotheses;
+    const std::vector<int>& items = state.alive(p);
+    if (items.size() < 2) return hypotheses;
+    const std::size_t count = items.size() <= small_part ? items.size() - 1 : neighbours_in_part;
+    const auto neighbours = neighbour_lists(state, items, count);
+    propose_constant_steps(state, p, neighbours, hypotheses);
+    if (state.part(p).symmetry.continuous) {
+        propose_directed_steps(state, p, neighbours, hypotheses);
+    } else if (state.part(p).symmetry.elements.size() <= 2 && items.size() >= 4) {
+        propose_linear_steps(state, p, neighbours, hypotheses);
+    }
+    return hypotheses;
+}
+
+namespace {
+
+/// Less symmetric parts lead: their frame says more.
+bool leads(const SearchState& state, int a, int b) {
+    const auto rank = [&](int p) {
+        const SymmetryGroup& symmetry = state.part(p).symmetry;
+        return symmetry.continuous ? std::size_t{1000} : symmetry.elements.size();
+    };
+    return std::pair{rank(a), a} < std::pair{rank(b), b};
+}
+
+struct PairSpace {
+    StepVotes votes;
+    Space space;
+    bool directed = false;
+};
+
+}  // namespace
+
+std::vector<Hypothesis> propose_groups(const SearchState& state, const std::vector<int>& items) {
+    std::vector<int> living;
+    for (const auto& members : state.members) living.insert(living.end(), members.begin(), members.end());
+    std::ranges::sort(living);
+    std::vector<Point> origins;
+    for (const int i : living) origins.push_back(state.item(i).pose.translation);
+    std::vector<Hypothesis> hypotheses;
+    if (living.size() < 2) return hypotheses;
+    const KdTree tree(origins);
+
+    std::map<std::pair<int, int>, PairSpace> spaces, directed_spaces;
+    std::vector<char> asked(state.rules.items.size(), 0);
+    for (const int i : items) asked[static_cast<std::size_t>(i)] = 1;
+    for (const int i : items) {
+        for (const Neighbor& neighbour : tree.nearest(state.item(i).pose.translation, neighbours_in_scene + 1)) {
+            const int j = living[neighbour.index];
+            const int pi_ = state.item(i).part, pj = state.item(j).part;
+            if (pi_ == pj) continue;
+            const bool i_leads = leads(state, pi_, pj);
+            const int from = i_leads ? i : j, to = i_leads ? j : i;
+            const Part& from_part = state.part(state.item(from).part);
+            const Part& to_part = state.part(state.item(to).part);
+            Similarity step = step_between(state.item(from).pose, state.item(to).pose);
+            const bool directed = from_part.symmetry.continuous && abs(step.translation) > still_of(state);
+            if (directed) {
+                step = {{abs(step.linear), 0}, {0, abs(step.translation)}, false};
+            } else {
+                step = canonical_step(from_part, to_part, step, still_of(state));
+            }
+            auto& map = directed ? directed_spaces : spaces;
+            const std::pair key{state.item(from).part, state.item(to).part};
+            const auto at = map.try_emplace(key).first;
+            at->second.directed = directed;
+            at->second.votes.add({step, from, to}, step_coordinates(step, vote_cell(state, key.second)));
+            at->second.space.see(step);
+        }
+    }
+    for (const auto* map : {&spaces, &directed_spaces}) {
+        for (const auto& [key, space] : *map) {
+            const std::size_t least =
+                std::min(state.alive(key.first).size(), state.alive(key.second).size()) <= few_items ? 1 : 2;
+            Hypothesis pattern{RuleKind::group, key.first, key.second};
+            pattern.directed = space.directed;
+            add_hypotheses(hypotheses, pattern, space.votes.clusters(least, most_groups), space.space);
+        }
+    }
+    return hypotheses;
+}
+
+}  // namespace rinceau

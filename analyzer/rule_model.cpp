@@ -1,0 +1,49 @@
+#include "analyzer/rule_model.h"
+
+#include <algorithm>
+
+#include "lsystem/turtle_step.h"
+
+namespace rinceau {
+
+Similarity linear_step(const Rule& rule, int k) {
+    if (rule.kind != RuleKind::linear) return rule.step;
+    TurtleStep step = to_turtle_step(rule.step);
+    step.turn += k * rule.turn_change;
+    step.spin += k * rule.spin_change;
+    return to_similarity(step);
+}
+
+std::vector<Similarity> repetition_poses(const Rule& rule, int count) {
+    std::vector<Similarity> poses(static_cast<std::size_t>(count));
+    for (int k = 1; k < count; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        poses[at] = poses[at - 1] * linear_step(rule, k - 1);
+    }
+    return poses;
+}
+
+std::vector<int> root_items(const RuleSet& rules) {
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < rules.items.size(); ++i) {
+        if (rules.items[i].alive) roots.push_back(static_cast<int>(i));
+    }
+    std::ranges::sort(roots, {}, [&](int i) {
+        return std::pair{rules.items[static_cast<std::size_t>(i)].first, i};
+    });
+    return roots;
+}
+
+static void collect_elements(const RuleSet& rules, int item, std::vector<int>& elements) {
+    const Item& at = rules.items[static_cast<std::size_t>(item)];
+    if (at.element >= 0) elements.push_back(at.element);
+    for (const int member : at.members) collect_elements(rules, member, elements);
+}
+
+std::vector<int> elements_below(const RuleSet& rules, int item) {
+    std::vector<int> elements;
+    collect_elements(rules, item, elements);
+    return elements;
+}
+
+}  // namespace rinceau

@@ -1,0 +1,73 @@
+#pragma once
+// What the rule finder works on (ANALYZER section 1): parts, items and rules.
+// A part is a symbol with a frame of its own: a look of the drawing, or what a rule makes with a given count. An item is
+// one place where a part stands. Rules turn items into members of new items until few are left: these form the axiom.
+
+#include <cstdint>
+#include <vector>
+
+#include "analyzer/instancing.h"
+#include "geometry/similarity.h"
+
+namespace rinceau {
+
+enum class RuleKind : std::uint8_t {
+    sequence,  ///< r1: [A] T P(m-1), constant step T
+    ring,      ///< a sequence that closes
+    linear,    ///< r1 with t(m) = t0 + tDelta m in alpha and beta (eq. 4)
+    group      ///< several parts in fixed positions (r1 and r2 for P(1), merged: section 5.7)
+};
+
+/// A member of a part, in the part's frame.
+struct Child {
+    int part = 0;
+    Similarity pose;
+};
+
+struct Rule {
+    RuleKind kind = RuleKind::sequence;
+    int repeated = -1;          ///< part that a sequence, ring or linear rule repeats
+    Similarity step;            ///< from one repetition to the next; linear: the first one
+    double turn_change = 0;     ///< linear: what alpha and beta of the step grow by from one repetition to the next
+    double spin_change = 0;
+    std::vector<Child> members; ///< group: relative to the first, whose pose is the identity
+};
+
+struct Part {
+    int look = -1;                ///< a look of the drawing, or
+    int rule = -1;                ///< a rule with this
+    int count = 1;                ///< number of repetitions (group: 1)
+    std::vector<Child> children;  ///< in order of derivation; origin = mean of their origins, first child unturned, unscaled
+    SymmetryGroup symmetry;
+    double radius = 1;            ///< of a circle about the origin that holds the part, roughly; own units
+    int leaves = 1;
+};
+
+struct Item {
+    int part = 0;
+    Similarity pose;           ///< part frame -> scene
+    std::vector<int> members;  ///< items, in the order of the part's children
+    int element = -1;          ///< scene element of a look
+    int first = 0;             ///< lowest scene element below, by paint order
+    bool alive = true;         ///< not yet a member of another item
+};
+
+struct RuleSet {
+    std::vector<Part> parts;
+    std::vector<Rule> rules;
+    std::vector<Item> items;
+};
+
+/// Poses of the repetitions in the frame of the first one: identity, T, T^2, .. (linear: products of changing steps).
+std::vector<Similarity> repetition_poses(const Rule& rule, int count);
+
+/// The step of a linear rule from repetition k to k + 1, k from 0.
+Similarity linear_step(const Rule& rule, int k);
+
+/// The items that the axiom lists: alive, in order of their lowest element.
+std::vector<int> root_items(const RuleSet& rules);
+
+/// Elements below an item, in order of derivation.
+std::vector<int> elements_below(const RuleSet& rules, int item);
+
+}  // namespace rinceau

@@ -1,0 +1,18 @@
+#pragma once
+// Applying a rule: its items become members of new items (Stava et al. 2010, sections 5.5 and 5.6; ANALYZER section 4.6).
+
+#include <vector>
+
+#include "analyzer/evaluate.h"
+
+namespace rinceau {
+
+struct Substitution {
+    std::vector<int> new_items;      ///< empty: no chain passed the guard and nothing has changed
+    std::vector<int> touched_parts;  ///< parts that lost or gained items, rising
+};
+
+/// Fits the rule, makes a part for each count and an item for each chain whose members lie where the rule puts them.
+Substitution substitute(SearchState& state, const Hypothesis& hypothesis, const Evaluation& evaluation);
+
+}  // namespace rinceau
