@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "scene/svg_css_text.h"
+
 namespace rinceau {
 
 /// An element of the caller's tree; null = none.
@@ -27,24 +29,15 @@ struct CssTree {
     std::function<int(CssNode)> position;      ///< among its siblings, from 1; may be left empty (counted by `previous`)
 };
 
-struct CssDeclaration {
-    std::string property;  ///< lower case
-    std::string value;     ///< trimmed, comments removed, without "!important"
-    bool important = false;
-};
-
-/// "fill:red; stroke : blue !important": what is not a declaration is skipped.
-std::vector<CssDeclaration> parse_declarations(std::string_view text);
-
 enum class CssCombinator : std::uint8_t { descendant, child, adjacent, sibling };
 enum class CssTest : std::uint8_t {
     type, id, has_class, attribute, attribute_is, attribute_word, attribute_dash, attribute_starts, attribute_ends,
-    attribute_contains, first_child, last_child, only_child, nth_child, root, empty_selector_never
+    attribute_contains, first_child, last_child, only_child, nth_child, root, never
 };
 
 /// One simple selector.
 struct CssCondition {
-    CssTest test = CssTest::type;
+    CssTest test = CssTest::type;  ///< never: what needs a person, as :hover
     bool negated = false;  ///< inside :not()
     std::string name;      ///< type, id, class or attribute
     std::string value;     ///< of the attribute
@@ -85,7 +78,7 @@ SpecifiedStyle specified_style(const StyleSheet& sheet, const CssTree& tree, Css
                                std::span<const std::pair<std::string_view, std::string_view>> presentation,
                                std::string_view style_attribute);
 
-/// The value of a property, if it is specified.
+/// The value of a property, null if it is not specified.
 const std::string* find_value(const SpecifiedStyle& style, std::string_view property);
 
 bool matches(const CssSelector& selector, const CssTree& tree, CssNode node);
