@@ -210,14 +210,6 @@ class ElementMatcher {
 
 }  // namespace
 
-double drawing_diagonal(const Scene& scene) {
-    const double of_viewport = diagonal(scene.viewport);
-    if (of_viewport > 0) return of_viewport;
-    Box box;
-    for (const Element& element : scene.elements) box = including(box, bounds(element.paths));
-    return diagonal(box);
-}
-
 ShapeMatching match_elements(const Scene& scene, const SimilarityOptions& options, const Progress& progress) {
     return ElementMatcher(scene, options).run(progress);
 }

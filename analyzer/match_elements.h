@@ -27,7 +27,4 @@ struct ShapeMatching {
 
 ShapeMatching match_elements(const Scene& scene, const SimilarityOptions& options, const Progress& progress = {});
 
-/// Length that all shares of the drawing's diagonal refer to: of the viewport, or of the outlines if it is empty.
-double drawing_diagonal(const Scene& scene);
-
 }  // namespace rinceau

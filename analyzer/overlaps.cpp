@@ -125,16 +125,6 @@ void keep_nearest_in_order(std::vector<OverlapPair>& pairs, std::size_t count) {
 
 }  // namespace
 
-double drawing_diagonal(const Scene& scene) {
-    double length = diagonal(scene.viewport);
-    if (!(length > 0)) {
-        Box box;
-        for (const Element& element : scene.elements) box = including(box, painted_box(element));
-        length = diagonal(box);
-    }
-    return length > 0 ? length : 1;
-}
-
 Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options) {
     Search search = start_search(scene, options.margin * drawing_diagonal(scene));
     const std::size_t limit = candidates_per_pair * options.max_pairs;

@@ -27,9 +27,6 @@ struct OverlapOptions {
     double margin = 5e-4;
 };
 
-/// The diagonal of the viewport; of what the elements paint if the viewport is empty; 1 if that is a point or nothing.
-double drawing_diagonal(const Scene& scene);
-
 /// All pairs of elements whose painted regions (fill by its fill rule, stroke with its width, dashes counted as solid) come
 /// within the margin of each other, except pairs for which the order cannot be seen: everything that both paint has one and
 /// the same colour. Pairs further apart than 1.5 margins are not listed. Opacity hides nothing: whatever paints counts.

@@ -34,4 +34,14 @@ Box painted_box(const Element& element) {
     return grown(outline, 0.5 * stroke.width * largest_stretch(stroke.pen) * reach(element.paths, stroke));
 }
 
+double drawing_diagonal(const Scene& scene) {
+    double length = diagonal(scene.viewport);
+    if (!(length > 0)) {
+        Box box;
+        for (const Element& element : scene.elements) box = including(box, painted_box(element));
+        length = diagonal(box);
+    }
+    return length > 0 ? length : 1;
+}
+
 }  // namespace rinceau

@@ -31,4 +31,8 @@ struct Scene {
 /// The box of what an element paints: outline grown by its stroke (mitres included); a verbatim element's box.
 Box painted_box(const Element& element);
 
+/// The length that shares of the drawing's diagonal refer to: of the viewport; of what is painted, if the viewport is empty;
+/// 1 if that is nothing or a point.
+double drawing_diagonal(const Scene& scene);
+
 }  // namespace rinceau
