@@ -129,7 +129,7 @@ class SelectorReader {
         CssCondition condition{CssTest::type};
         for (;;) {
             if (skip_token(cursor_, "*")) {
-                condition.name = "*";
+                condition.name.assign(1, '*');
             } else if (std::optional<std::string> name = read_css_identifier(cursor_)) {
                 condition.name = std::move(*name);
             } else if (cursor_.peek() != '|') {

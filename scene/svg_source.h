@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/input_error.h"
+#include "scene/svg_entities.h"
 
 namespace rinceau {
 
@@ -21,8 +22,5 @@ struct SvgSourceOptions {
 /// Throws InputError if this is no XML text at all (empty, binary, a PNG, ...), LimitError for a size beyond the options,
 /// both with line and column. Time and memory stay in proportion to the input and max_bytes.
 std::string svg_source_text(std::string_view bytes, const SvgSourceOptions& options = {});
-
-/// Line and column (from 1, columns in characters) of an offset in a UTF-8 text.
-SourcePlace place_in_text(std::string_view text, std::size_t offset, const std::string& file_name);
 
 }  // namespace rinceau
