@@ -14,19 +14,21 @@ std::string write_svg(const Scene& scene);
 /// significant digits, or in shortest round-trip form when digits = 0.
 std::string svg_path_data(const std::vector<Path>& paths, int digits = 0);
 
-/// The presentation attributes of a style (fill="..." stroke="..." ...) without gradients' definitions, and those
-/// definitions apart; gradient ids are `id_prefix` + "f" (fill) or "s" (stroke). Space: y down.
+/// The presentation attributes of a style (each as ` name="value"`) that differ from SVG's initial values, without
+/// gradients' definitions, and those definitions apart; gradient ids are `id_prefix` + "f" (fill) or "s" (stroke).
+/// Space: y down. The pen is not in them: svg_element_text draws with it.
 struct SvgStyleText {
     std::string attributes;
     std::string definitions;
 };
 SvgStyleText svg_style_text(const Style& style, const std::string& id_prefix);
 
-/// "matrix(...)" or a shorter equal form for a map given in y-up space, written in SVG's y-down convention; empty for identity.
+/// The value of `transform` for a map given in y-up space, in SVG's y-down convention, exact; empty for the identity.
 std::string svg_transform_text(const Affine& map);
 
-/// One element as SVG, y down, without the element's id: `body` draws it, `definitions` belongs into <defs>. Numbers as in
-/// svg_path_data; ids in the definitions start with `id_prefix`.
+/// One element as SVG, y down, without the element's id: `body` draws it, `definitions` belongs into <defs>. `digits` as in
+/// svg_path_data, for the path data; ids in the definitions start with `id_prefix`. A stroke whose pen is no circle is drawn
+/// by an element with transform = pen.
 struct SvgElementText {
     std::string body;
     std::string definitions;

@@ -1,0 +1,117 @@
+#include "scene/svg_raster.h"
+
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <librsvg/rsvg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "scene/input_error.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr double px_per_inch = 96;
+constexpr double points_per_px = 72 / px_per_inch;
+constexpr double largest_side = 32767;  // of a cairo image
+
+template <auto release>
+struct Release {
+    template <class T>
+    void operator()(T* object) const {
+        release(object);
+    }
+};
+using Handle = std::unique_ptr<RsvgHandle, Release<g_object_unref>>;
+using Surface = std::unique_ptr<cairo_surface_t, Release<cairo_surface_destroy>>;
+using Context = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
+using Stream = std::unique_ptr<GInputStream, Release<g_object_unref>>;
+using Failure = std::unique_ptr<GError, Release<g_error_free>>;
+
+[[noreturn]] void refuse(GError* error) {
+    const Failure failure(error);
+    throw InputError({}, std::string("the renderer refuses the document: ") + (failure ? failure->message : "no reason given"));
+}
+
+Handle open_document(std::string_view svg) {
+    GError* error = nullptr;
+    const Stream stream(g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
+    Handle handle(rsvg_handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
+    if (!handle) refuse(error);
+    rsvg_handle_set_dpi(handle.get(), px_per_inch);
+    return handle;
+}
+
+struct Size {
+    double width = 0, height = 0;  // px
+};
+
+// The document's own size, else that of its view box, else as far as it draws.
+Size document_size(RsvgHandle* handle) {
+    Size size;
+    if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &size.width, &size.height)) return size;
+    gboolean has_width = 0, has_height = 0, has_view_box = 0;
+    RsvgLength unused_width, unused_height;
+    RsvgRectangle box{};
+    rsvg_handle_get_intrinsic_dimensions(handle, &has_width, &unused_width, &has_height, &unused_height, &has_view_box, &box);
+    if (has_view_box) return {box.width, box.height};
+    RsvgRectangle ink{};
+    GError* error = nullptr;
+    if (!rsvg_handle_get_geometry_for_element(handle, nullptr, &ink, nullptr, &error)) refuse(error);
+    return {ink.x + ink.width, ink.y + ink.height};
+}
+
+void render(RsvgHandle* handle, cairo_surface_t* surface, Size size) {
+    const Context context(cairo_create(surface));
+    const RsvgRectangle viewport{0, 0, size.width, size.height};
+    GError* error = nullptr;
+    if (!rsvg_handle_render_document(handle, context.get(), &viewport, &error)) refuse(error);
+}
+
+cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned int count) {
+    static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+void require_success(cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS) throw LimitError({}, std::string("no picture: ") + cairo_status_to_string(status));
+}
+
+}  // namespace
+
+std::string svg_to_png(std::string_view svg, int width) {
+    const Handle handle = open_document(svg);
+    Size size = document_size(handle.get());
+    if (width > 0 && size.width > 0) size = {static_cast<double>(width), size.height * width / size.width};
+    // A document without extent still gives a picture, of one transparent pixel.
+    const Size pixels{std::max(1.0, std::ceil(size.width)), std::max(1.0, std::ceil(size.height))};
+    if (!(pixels.width <= largest_side && pixels.height <= largest_side)) {
+        throw LimitError({}, "the picture would exceed 32767 pixels a side; ask for a smaller width");
+    }
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(pixels.width), static_cast<int>(pixels.height)));
+    require_success(cairo_surface_status(surface.get()));
+    render(handle.get(), surface.get(), size);
+    std::string png;
+    require_success(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &png));
+    return png;
+}
+
+std::string svg_to_pdf(std::string_view svg) {
+    const Handle handle = open_document(svg);
+    const Size size = document_size(handle.get());
+    const Size page{points_per_px * size.width, points_per_px * size.height};
+    std::string pdf;
+    const Surface surface(cairo_pdf_surface_create_for_stream(append_bytes, &pdf, page.width, page.height));
+    require_success(cairo_surface_status(surface.get()));
+    // The same bytes every time: no date of today.
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
+    render(handle.get(), surface.get(), page);
+    cairo_surface_finish(surface.get());
+    require_success(cairo_surface_status(surface.get()));
+    return pdf;
+}
+
+}  // namespace rinceau
