@@ -17,6 +17,7 @@ struct Collector {
     void leaf(const CompiledModule& module, std::span<const double> arguments, const StreamPlace&) {
         modules.push_back({module.symbol, {arguments.begin(), arguments.end()}});
     }
+    void exception(int) {}
 };
 
 }  // namespace

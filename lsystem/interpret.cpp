@@ -79,6 +79,8 @@ class Turtle {
         placements_.push_back(std::move(placement));
     }
 
+    void exception(int) {}
+
     std::vector<Placement> take_in_paint_order() {
         if (layered_) std::ranges::stable_sort(placements_, {}, &Placement::layer);
         return std::move(placements_);

@@ -60,7 +60,8 @@ class DerivationLimits {
 };
 
 /// Sink: void command(const CompiledModule&, double argument);
-///       void leaf(const CompiledModule&, std::span<const double> arguments, const StreamPlace&).
+///       void leaf(const CompiledModule&, std::span<const double> arguments, const StreamPlace&);
+///       void exception(int index), called when an exception takes the place of a module.
 /// tracked: addresses and trails are kept and exceptions apply. A grammar with exceptions needs it.
 template <class Sink, bool tracked>
 class ModuleStream {
@@ -222,6 +223,7 @@ class ModuleStream {
         node = grammar_.exception_tree.child(level.node, number);
         const int exception = grammar_.exception_tree.exception_at(node);
         if (exception == ExceptionTree::none) return false;
+        sink_.exception(exception);
         open_exception(frame, module, grammar_.exceptions[static_cast<std::size_t>(exception)], number, node);
         return true;
     }

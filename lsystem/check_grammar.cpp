@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "lsystem/check_strings.h"
+#include "lsystem/compile.h"
+#include "lsystem/grammar_text.h"
+#include "lsystem/parse_statement.h"
+#include "lsystem/statement.h"
+#include "lsystem/stream.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr double seconds_for_a_trial = 2;                  // a check answers while one waits
+constexpr std::uint64_t modules_for_a_turtle = 2'000'000;  // their placements take some 300 MB
+
+/// Stops a trial derivation that takes too long; what it has found until then counts.
+struct TrialOver {};
+
+Progress stop_after(double seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    return [start, seconds](std::string_view, double) {
+        if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > seconds) throw TrialOver{};
+    };
+}
+
+/// Counts, and remembers which exceptions were met.
+struct Counter {
+    std::uint64_t modules = 0;
+    std::set<int> exceptions;
+
+    void command(const CompiledModule&, double) { ++modules; }
+    void leaf(const CompiledModule&, std::span<const double>, const StreamPlace&) { ++modules; }
+    void exception(int index) { exceptions.insert(index); }
+};
+
+class GrammarChecker {
+  public:
+    GrammarChecker(std::string_view text, const std::string& file_name) : file_name_(file_name) {
+        StatementList list = split_statements(text, file_name);
+        warnings_ = std::move(list.faults);
+        for (const Statement& statement : list.statements) parse(statement);
+    }
+
+    std::vector<Warning> check() {
+        if (!state_.versioned) warn({file_name_, 1, 1}, "expected 'lsystem 1' as the first statement, found an empty text");
+        check_constants();
+        check_axiom();
+        for (const Production& production : grammar().productions) check_production(production);
+        for (const Exception& exception : grammar().exceptions) check_exception(exception);
+        check_terminals();
+        if (warnings_.empty()) try_derivation();
+        std::ranges::stable_sort(warnings_, [](const Warning& a, const Warning& b) {
+            return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+        });
+        return std::move(warnings_);
+    }
+
+  private:
+    std::string file_name_;
+    ParseState state_;
+    Scope constants_;
+    bool axiom_is_faulty_ = false;
+    std::vector<Warning> warnings_;
+
+    const Grammar& grammar() const { return state_.grammar; }
+    void warn(const SourcePlace& place, const std::string& message) { warnings_.push_back({place, message}); }
+
+    void parse(const Statement& statement) {
+        try {
+            parse_statement(statement, state_);
+        } catch (const InputError& error) {
+            warnings_.push_back(warning_of(error));
+            axiom_is_faulty_ = axiom_is_faulty_ || statement.text.starts_with("axiom");
+        }
+    }
+
+    void check_constants() {
+        for (const Constant& constant : grammar().constants) {
+            double value = 1;  // stands for a faulty one, so that its users are not reported too
+            try {
+                value = compile_expression(constant.value, constants_, constant.place).code.front().number;
+            } catch (const InputError& error) {
+                warnings_.push_back(warning_of(error));
+            }
+            if (!std::isfinite(value)) warn(constant.place, "expected a finite value of the constant " + constant.name);
+            constants_.constants.emplace_back(constant.name, value);
+        }
+    }
+
+    void check_string_in(const std::vector<ModuleTemplate>& string, const Scope& scope) {
+        const std::vector<Warning> found = check_string(grammar(), string, scope);
+        warnings_.insert(warnings_.end(), found.begin(), found.end());
+    }
+
+    void check_axiom() {
+        if (grammar().axiom.empty() && !axiom_is_faulty_) {
+            warn({file_name_, 1, 1}, "expected an axiom, such as 'axiom: A', found none: nothing would be drawn");
+        }
+        check_string_in(grammar().axiom, constants_);
+    }
+
+    void check_production(const Production& production) {
+        Scope scope = constants_;
+        scope.parameters = production.parameters;
+        check_string_in(production.successor, scope);
+        bool always = !production.condition;
+        if (production.condition) {
+            try {
+                const Program condition = compile_expression(*production.condition, scope, production.place);
+                const bool fixed = is_constant(condition);
+                always = fixed && condition.code.front().number != 0;
+                if (fixed && !always)
+                    warn(production.place, "expected a condition that can hold, found one that never does");
+            } catch (const InputError& error) {
+                warnings_.push_back(warning_of(error));
+            }
+        }
+        check_turn(production, always);
+    }
+
+    /// Productions of one symbol are tried in order.
+    void check_turn(const Production& production, bool always) {
+        const auto same = [&](const Production& other) {
+            return other.symbol == production.symbol && other.parameters.size() == production.parameters.size();
+        };
+        const auto first = std::ranges::find_if(grammar().productions, same);
+        const bool is_first = &*first == &production;
+        for (auto earlier = first; &*earlier != &production; ++earlier) {
+            if (!same(*earlier) || earlier->condition) continue;
+            warn(production.place, "expected a production that can apply, found one that never does: the one in line " +
+                                       std::to_string(earlier->place.line) +
+                                       " always comes first; give that one a condition");
+            return;
+        }
+        const bool recursive = std::ranges::any_of(production.successor, [&](const ModuleTemplate& module) {
+            return module.symbol == production.symbol && module.arguments.size() == production.parameters.size();
+        });
+        if (always && is_first && recursive) {
+            warn(production.place,
+                 "expected a production that ends, found " + production.symbol +
+                     " in its own successor without a condition: add one, such as ': m > 0', or derive to a depth");
+        }
+    }
+
+    void check_exception(const Exception& exception) {
+        check_string_in(exception.successor, constants_);
+        const auto first = std::ranges::find(grammar().exceptions, exception.address, &Exception::address);
+        if (&*first != &exception) {
+            warn(exception.place, "expected one exception at an address, found another: the first is in line " +
+                                      std::to_string(first->place.line));
+        }
+    }
+
+    void check_terminals() {
+        for (const Terminal& terminal : grammar().terminals) {
+            if (!terminal.verbatim.empty() || has_style(grammar(), terminal.style)) continue;
+            warn(terminal.place, "expected the number of a style of the grammar, found " + std::to_string(terminal.style) +
+                                     ": add 'style " + std::to_string(terminal.style) + ": ..'");
+        }
+    }
+
+    /// What only shows when the grammar is derived.
+    void try_derivation() {
+        try {
+            const CompiledGrammar compiled = compile(grammar());
+            Counter counter;
+            stream_modules(compiled, {}, stop_after(seconds_for_a_trial), false, counter);
+            if (counter.modules <= modules_for_a_turtle) interpret(grammar(), {}, stop_after(seconds_for_a_trial));
+            report_unused_exceptions(counter.exceptions);
+        } catch (const InputError& error) {
+            warnings_.push_back(warning_of(error));
+        } catch (const LimitError& error) {
+            std::string message = error.what();
+            message.erase(0, located(error.place(), "").size());
+            warn(error.place(), message);
+        } catch (const TrialOver&) {
+            // too large to be tried out; what could be seen without is reported
+        }
+    }
+
+    void report_unused_exceptions(const std::set<int>& met) {
+        for (std::size_t i = 0; i < grammar().exceptions.size(); ++i) {
+            if (met.contains(static_cast<int>(i))) continue;
+            warn(grammar().exceptions[i].place,
+                 "expected the address of a module, found one where none stands: "
+                 "count it again, or take the exception away");
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<Warning> check_grammar(std::string_view text, const std::string& file_name) {
+    return GrammarChecker(text, file_name).check();
+}
+
+}  // namespace rinceau

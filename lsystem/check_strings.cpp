@@ -1,0 +1,116 @@
+#include "lsystem/check_strings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsystem/compile.h"
+#include "lsystem/number_text.h"
+#include "lsystem/turtle_commands.h"
+
+namespace rinceau {
+
+Warning warning_of(const InputError& error) {
+    const std::string front = located(error.place(), "");
+    std::string message = error.what();
+    if (message.starts_with(front)) message.erase(0, front.size());
+    return {error.place(), message};
+}
+
+namespace {
+
+class StringChecker {
+  public:
+    StringChecker(const Grammar& grammar, const Scope& scope) : grammar_(grammar), scope_(scope) {}
+
+    std::vector<Warning> check(const std::vector<ModuleTemplate>& string) {
+        for (const ModuleTemplate& module : string) {
+            check_symbol(module);
+            check_arguments(module);
+        }
+        check_brackets(string);
+        return std::move(warnings_);
+    }
+
+  private:
+    const Grammar& grammar_;
+    const Scope& scope_;
+    std::vector<Warning> warnings_;
+
+    void warn(const ModuleTemplate& module, const std::string& message) { warnings_.push_back({module.place, message}); }
+
+    void expect_count(const ModuleTemplate& module, std::size_t count, const std::string& why) {
+        if (module.arguments.size() == count) return;
+        warn(module, "expected " + std::to_string(count) + " argument(s) of " + module.symbol + why + ", found " +
+                         std::to_string(module.arguments.size()));
+    }
+
+    void check_symbol(const ModuleTemplate& module) {
+        if (const TurtleCommandInfo* command = find_turtle_command(module.symbol)) {
+            expect_count(module, static_cast<std::size_t>(command->arity), " (" + std::string(command->help) + ")");
+            return;
+        }
+        const auto first = std::ranges::find(grammar_.productions, module.symbol, &Production::symbol);
+        if (first != grammar_.productions.end()) {
+            const bool fits = std::ranges::any_of(grammar_.productions, [&](const Production& production) {
+                return production.symbol == module.symbol && production.parameters.size() == module.arguments.size();
+            });
+            if (!fits) expect_count(module, first->parameters.size(), ", as in its production");
+        } else if (std::ranges::find(grammar_.terminals, module.symbol, &Terminal::symbol) == grammar_.terminals.end()) {
+            warn(module, "expected a command, a production's symbol or a terminal, found the unknown symbol '" +
+                             module.symbol + "': add a production '" + module.symbol + " -> ..' or 'terminal " +
+                             module.symbol + ": ..'");
+        }
+    }
+
+    void check_arguments(const ModuleTemplate& module) {
+        for (const Expression& argument : module.arguments) {
+            try {
+                const Program program = compile_expression(argument, scope_, module.place);
+                if (is_constant(program)) check_constant(module, program.code.front().number);
+            } catch (const InputError& error) {
+                warnings_.push_back(warning_of(error));
+            }
+        }
+    }
+
+    void check_constant(const ModuleTemplate& module, double value) {
+        if (!std::isfinite(value)) {
+            warn(module, "expected a finite argument of " + module.symbol + ", found a division by zero or an overflow");
+        } else if (module.symbol == "*" && !(value > 0)) {
+            warn(module, "expected a scale above 0 in *(..), found " + number_text(value));
+        } else if (module.symbol == "z" && value != std::floor(value)) {
+            warn(module, "expected a whole number of layers in z(..), found " + number_text(value));
+        } else if (module.symbol == ";" && !is_style(value)) {
+            warn(module, "expected the number of a style of the grammar, or 0, in ;(..), found " + number_text(value) +
+                             ": add 'style " + number_text(value) + ": ..'");
+        }
+    }
+    bool is_style(double value) const {
+        constexpr double largest = 1e9;  // fits an int
+        return value == std::floor(value) && std::abs(value) <= largest && has_style(grammar_, static_cast<int>(value));
+    }
+
+    void check_brackets(const std::vector<ModuleTemplate>& string) {
+        std::vector<const ModuleTemplate*> open;
+        for (const ModuleTemplate& module : string) {
+            if (module.symbol == "[") open.push_back(&module);
+            if (module.symbol != "]") continue;
+            if (open.empty()) {
+                warn(module, "expected a '[' before this ']', found none: add it or take the ']' away");
+            } else {
+                open.pop_back();
+            }
+        }
+        for (const ModuleTemplate* module : open) {
+            warn(*module, "expected a ']' for this '[', found none: add it or take the '[' away");
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<Warning> check_string(const Grammar& grammar, const std::vector<ModuleTemplate>& string, const Scope& scope) {
+    return StringChecker(grammar, scope).check(string);
+}
+
+}  // namespace rinceau

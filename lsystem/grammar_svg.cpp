@@ -1,0 +1,223 @@
+// The picture with <use>: what is drawn more than once is defined once.
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <limits>
+#include <map>
+
+#include "lsystem/drawn_style.h"
+#include "lsystem/to_scene.h"
+#include "scene/svg_write.h"
+
+namespace rinceau {
+
+namespace {
+
+/// What one definition draws.
+struct Look {
+    int terminal = 0;
+    int style = 0;   ///< number
+    int color = -1;  ///< index of a distinct colour, -1 = the style's own
+    friend constexpr auto operator<=>(const Look&, const Look&) = default;
+};
+
+struct LookUse {
+    int count = 0;
+    std::string id;  ///< of the definition; empty until it is written
+};
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+/// An outline in a style whose pen is a circle, and the map that brings both to their place.
+struct PlainOutline {
+    std::vector<Path> paths;
+    Style style;
+    Affine map;
+};
+
+Paint mapped(const Paint& paint, const Affine& map) {
+    const auto* gradient = std::get_if<std::shared_ptr<const Gradient>>(&paint);
+    if (gradient == nullptr || *gradient == nullptr) return paint;
+    Gradient result = **gradient;
+    result.map = map * result.map;
+    return std::make_shared<const Gradient>(std::move(result));
+}
+
+/// SVG has round pens only: a stretched pen is a round one in a frame that is stretched back.
+PlainOutline with_round_pen(const std::vector<Path>& paths, Style style) {
+    const Linear2& pen = style.stroke.pen;
+    const Affine stretch{pen.a, pen.b, pen.c, pen.d, 0, 0};
+    if (pen == Linear2{} || !paints_stroke(style) || determinant(stretch) == 0) return {paths, std::move(style), {}};
+    const Affine back = inverse(stretch);
+    style.fill = mapped(style.fill, back);
+    style.stroke.paint = mapped(style.stroke.paint, back);
+    style.stroke.pen = {};
+    return {transformed(paths, back), std::move(style), stretch};
+}
+
+std::string transform_attribute(const Affine& map) {
+    const std::string text = svg_transform_text(map);
+    return text.empty() ? "" : " transform=\"" + text + '"';
+}
+
+class Writer {
+  public:
+    Writer(const Grammar& grammar, const std::vector<Placement>& placements, const GrammarSvgOptions& options)
+        : grammar_(grammar), placements_(placements), options_(options) {}
+
+    std::string write() {
+        choose_prefix();
+        for (const Terminal& terminal : grammar_.terminals) reach_.push_back(reach_of(terminal));
+        for (const Placement& placement : placements_) ++uses_[look_of(placement)].count;
+        for (const auto& [look, use] : uses_) ++looks_with_id_[terminal_of(look).id];
+        for (const Placement& placement : placements_) write_placement(placement);
+        std::string text = svg_root_tag(grammar_.canvas, grammar_.sized) + '\n';
+        if (!definitions_.empty()) text += "<defs>\n" + definitions_ + "</defs>\n";
+        return text + body_ + "</svg>\n";
+    }
+
+  private:
+    const Grammar& grammar_;
+    const std::vector<Placement>& placements_;
+    GrammarSvgOptions options_;
+    std::string prefix_;
+    std::vector<double> reach_;
+    std::map<Look, LookUse> uses_;
+    std::map<std::string, int> looks_with_id_;
+    std::string definitions_;
+    std::string body_;
+
+    const Terminal& terminal_of(const Look& look) const {
+        return grammar_.terminals[static_cast<std::size_t>(look.terminal)];
+    }
+
+    /// No kept fragment and no element has an id that begins so.
+    void choose_prefix() {
+        prefix_ = "lsystem-";
+        const auto taken = [&](const Terminal& terminal) {
+            return terminal.verbatim.find(prefix_) != std::string::npos || terminal.id.starts_with(prefix_);
+        };
+        while (std::ranges::any_of(grammar_.terminals, taken)) prefix_ += '-';
+    }
+
+    /// How far from its origin a terminal paints.
+    double reach_of(const Terminal& terminal) const {
+        const Style style = style_of_number(grammar_, terminal.style);
+        const Box box = terminal.verbatim.empty() ? painted_box({terminal.paths, style}) : terminal.verbatim_box;
+        if (is_empty(box)) return terminal.verbatim.empty() ? 0 : std::numeric_limits<double>::infinity();
+        double reach = 0;
+        for (const double x : {box.low.x, box.high.x}) {
+            for (const double y : {box.low.y, box.high.y}) reach = std::max(reach, abs(Point{x, y}));
+        }
+        return reach;
+    }
+
+    Look look_of(const Placement& placement) const {
+        Look look{placement.terminal, drawn_style_number(grammar_, placement)};
+        if (!terminal_of(look).verbatim.empty()) return {placement.terminal};
+        switch (options_.color_by) {
+            case ColorBy::none:
+                break;
+            case ColorBy::rule:
+                look.color = placement.production + 1;
+                break;
+            case ColorBy::terminal:
+                look.color = placement.terminal;
+                break;
+            case ColorBy::level:
+                look.color = static_cast<int>(placement.address.size());
+                break;
+        }
+        return look;
+    }
+
+    /// The pose with its numbers rounded so that no point of the terminal moves by more than 1e-4 px, nor by more than a
+    /// ten-millionth of the picture.
+    Affine rounded(const Similarity& pose, double reach) const {
+        Affine map = to_affine(pose);
+        const double largest_move = is_empty(grammar_.canvas) ? 0 : std::min(1e-4, 1e-7 * diagonal(grammar_.canvas));
+        if (!(largest_move > 0) || !std::isfinite(reach)) return map;
+        // each of the two translations and of the two linear numbers in a coordinate has a quarter of the way
+        const double share = largest_move / 4;
+        for (double* number : {&map.e, &map.f}) *number = rounded_to(*number, share);
+        if (reach > 0) {
+            for (double* number : {&map.a, &map.b, &map.c, &map.d}) *number = rounded_to(*number, share / reach);
+        }
+        return map;
+    }
+    /// `value` in as few decimals as keep it within `error`.
+    static double rounded_to(double value, double error) {
+        const double decimals = std::ceil(-std::log10(2 * error));
+        constexpr double most = 15;  // a double has no more
+        if (decimals > most) return value;
+        const double grid = std::pow(10.0, std::max(0.0, decimals));
+        return std::round(value * grid) / grid;
+    }
+
+    void write_placement(const Placement& placement) {
+        const Look look = look_of(placement);
+        LookUse& use = uses_[look];
+        const Affine map = rounded(placement.pose, reach_[static_cast<std::size_t>(look.terminal)]);
+        if (use.count == 1) {
+            const std::string& id = terminal_of(look).id;
+            body_ +=
+                drawn(look, map, id.empty() || looks_with_id_[id] > 1 ? "" : " id=\"" + escaped(id) + '"', look_id(look));
+            return;
+        }
+        if (use.id.empty()) {
+            use.id = look_id(look);
+            definitions_ += drawn(look, {}, " id=\"" + use.id + '"', use.id);
+        }
+        body_ += "<use href=\"#" + use.id + '"' + transform_attribute(map) + "/>\n";
+    }
+
+    std::string look_id(const Look& look) const {
+        std::string id = prefix_ + terminal_of(look).symbol;
+        if (look.style != terminal_of(look).style) id += "-style" + std::to_string(look.style);
+        if (look.color >= 0) id += "-color" + std::to_string(look.color);
+        return id;
+    }
+
+    /// The element itself, under `map`; definitions of its gradients go to the definitions.
+    std::string drawn(const Look& look, const Affine& map, const std::string& id_attribute,
+                      const std::string& gradient_prefix) {
+        const Terminal& terminal = terminal_of(look);
+        if (!terminal.verbatim.empty()) {
+            return "<g" + id_attribute + transform_attribute(map) + '>' + terminal.verbatim + "</g>\n";
+        }
+        Style style = style_of_number(grammar_, look.style);
+        if (look.color >= 0) style = recolored(std::move(style), distinct_color(look.color));
+        const PlainOutline outline = with_round_pen(terminal.paths, std::move(style));
+        const SvgStyleText text = svg_style_text(outline.style, gradient_prefix + '-');
+        definitions_ += text.definitions;
+        return "<path" + id_attribute + transform_attribute(map * outline.map) + " d=\"" + svg_path_data(outline.paths) +
+               "\" " + text.attributes + "/>\n";
+    }
+};
+
+}  // namespace
+
+std::string grammar_svg(const Grammar& grammar, const std::vector<Placement>& placements, const GrammarSvgOptions& options) {
+    return Writer(grammar, placements, options).write();
+}
+
+}  // namespace rinceau
