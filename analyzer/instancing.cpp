@@ -9,16 +9,20 @@ namespace rinceau {
 
 namespace {
 
-/// Paths of the look in its unit frame: the class representative's, unless its sub-paths would be painted otherwise.
+/// Paths of the look in its unit frame: the class representative's, unless its sub-paths would be painted otherwise; a dot
+/// is a line without length.
 std::vector<Path> unit_paths(const Scene& scene, const ShapeMatching& shapes, const StyleMatching& styles,
                              const StyledLook& look) {
     constexpr double same_start = 1e-3;  // unit lengths: a start point that may be moved unseen
-    const int representative = shapes.classes[static_cast<std::size_t>(look.shape)].representative;
+    const ShapeClass& shape = shapes.classes[static_cast<std::size_t>(look.shape)];
+    const int representative = shape.representative;
     const Similarity& pose = shapes.matches[static_cast<std::size_t>(representative)].pose;
+    if (shape.dots) return {Path{.segments = {line_to({})}}};
     Element candidate{scene.elements[static_cast<std::size_t>(representative)].paths, transformed(look.unit_style, pose)};
     const PaintedForm form = painted_form(candidate, pose);
     if (same_form(form, look.form) && same_starts(form, Similarity{}, look.form, same_start))
         return transformed(candidate.paths, inverse(pose));
+    // A look of its own sub-paths: as first drawn.
     const std::size_t first = static_cast<std::size_t>(look.first);
     return transformed(scene.elements[first].paths, inverse(styles.instances[first].pose));
 }

@@ -135,7 +135,7 @@ class ElementMatcher {
 
     void place_elements(const OutlineClasses& classes) {
         for (const OutlineGroup& group : classes.groups)
-            matching_.classes.push_back({element_of_item_[static_cast<std::size_t>(group.representative)], {}});
+            matching_.classes.push_back({element_of_item_[static_cast<std::size_t>(group.representative)]});
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             if (first_copy_[i] < 0) continue;
             matching_.matches[i] = item_of_[i] < 0 ? dot_match(i) : outline_match(i, classes);
@@ -154,8 +154,9 @@ class ElementMatcher {
     ShapeMatch dot_match(std::size_t element) {
         if (dot_class_ < 0) {
             dot_class_ = static_cast<int>(matching_.classes.size());
-            ShapeClass dots{static_cast<int>(element), {}};
+            ShapeClass dots{static_cast<int>(element)};
             dots.symmetry.continuous = true;
+            dots.dots = true;
             matching_.classes.push_back(dots);
         }
         const Descriptor d = describe(outlines_[element]);

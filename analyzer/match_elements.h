@@ -12,6 +12,7 @@ namespace rinceau {
 struct ShapeClass {
     int representative = -1;  ///< element; its pose has angle 0 and no mirror
     SymmetryGroup symmetry;   ///< of the outline
+    bool dots = false;        ///< outlines without extent; their unit is the stroke width
 };
 
 /// One element as a copy of its class.

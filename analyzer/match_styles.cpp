@@ -70,9 +70,9 @@ struct StyledElement {
     bool oriented() const { return !axes.empty(); }
 };
 
-StyledElement styled(const Element& element, const ShapeMatch& match) {
-    StyledElement result{match.shape, match.pose, transformed(element.style, inverse(match.pose)),
-                         painted_form(element, match.pose), {}};
+StyledElement styled(const Element& element, const ShapeMatch& match, bool is_dot) {
+    StyledElement result{match.shape, match.pose, transformed(element.style, inverse(match.pose)), {}, {}};
+    if (!is_dot) result.form = painted_form(element, match.pose);
     result.axes = style_axes(result.unit_style, style_tolerance);
     if (result.axes.empty())
         for (const PathStart& start : result.form.starts) result.axes.push_back(arg(start.at));
@@ -103,10 +103,9 @@ bool cleaner(const Similarity& a, const Similarity& b, const Similarity& referen
     return turn_a > turn_b + same_turn;
 }
 
-/// Zero-length sub-paths: their square caps are drawn upright, whatever the outline's symmetry.
-bool is_upright_dot(const StyledElement& element, const SymmetryGroup& shape) {
-    return shape.continuous && paints_stroke(element.unit_style) && element.unit_style.stroke.cap != LineCap::round &&
-           element.form.covered_area == 0;
+/// The square cap of a dot is drawn upright, though its outline has every symmetry.
+bool is_upright(const ShapeClass& shape, const Style& style) {
+    return shape.dots && paints_stroke(style) && style.stroke.cap == LineCap::square;
 }
 
 SymmetryGroup square_symmetry() {
@@ -125,8 +124,12 @@ class StyleMatcher {
     StyleMatching run() && {
         for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
             const ShapeMatch& match = shapes_.matches[i];
-            if (match.shape < 0) add_verbatim(static_cast<int>(i));
-            else add(static_cast<int>(i), styled(scene_.elements[i], match));
+            if (match.shape < 0) {
+                add_verbatim(static_cast<int>(i));
+            } else {
+                const bool is_dot = shapes_.classes[static_cast<std::size_t>(match.shape)].dots;
+                add(static_cast<int>(i), styled(scene_.elements[i], match, is_dot));
+            }
         }
         result_.styles = styles_;
         return std::move(result_);
@@ -202,7 +205,7 @@ class StyleMatcher {
             if (cleaner(element.pose * g, element.pose * gauge, Similarity{})) gauge = g;
         StyledElement clean = in_gauge(element, gauge);
         StyledLook look{element.shape, style_number(clean.unit_style), index, clean.unit_style, clean.form, {}};
-        look.symmetry = look_symmetry(clean, group);
+        look.symmetry = look_symmetry(clean, shapes_.classes[static_cast<std::size_t>(element.shape)]);
         const int number = static_cast<int>(result_.looks.size());
         looks_by_hash_[look_hash(element, 0)].push_back(number);
         result_.instances.push_back({number, clean.pose});
@@ -210,12 +213,12 @@ class StyleMatcher {
         first_axes_.push_back(std::move(clean.axes));
     }
 
-    static SymmetryGroup look_symmetry(const StyledElement& element, const SymmetryGroup& shape) {
+    static SymmetryGroup look_symmetry(const StyledElement& element, const ShapeClass& shape) {
         if (!element.form.starts.empty()) return {};
-        if (is_upright_dot(element, shape)) return square_symmetry();
-        if (!element.oriented()) return shape;
-        std::vector<Similarity> candidates = shape.elements;
-        if (shape.continuous) {
+        if (is_upright(shape, element.unit_style)) return square_symmetry();
+        if (!element.oriented()) return shape.symmetry;
+        std::vector<Similarity> candidates = shape.symmetry.elements;
+        if (shape.symmetry.continuous) {
             const double axis = element.axes.front();
             candidates = {Similarity{}, rotate(pi), {polar(1, 2 * axis), {}, true}, {polar(1, 2 * axis + pi), {}, true}};
         }

@@ -73,8 +73,11 @@ class NearestOnOutline {
         return abs(on_curve(best, p).at - p) <= distance;
     }
 
+    /// For copies that are nearly in place.
     Nearest nearest(Point p) {
-        last_ = nearest_edge(p);
+        constexpr double near = 0.02;  // unit lengths: beyond, the search starts afresh
+        last_ = near_last(p);
+        if (foot_on(outline_.edges[last_], p).squared > near * near) last_ = nearest_edge(p);
         return on_curve(last_, p);
     }
 
@@ -129,17 +132,19 @@ bool one_way_within(const FineOutline& a, const Similarity& map, const FineOutli
 
 /// One Gauss-Newton step for z -> (1 + u) z + v, u and v complex, minimising the distances to the curves.
 Similarity refining_step(const FineOutline& a, const Similarity& map, const FineOutline& b) {
-    constexpr double along_weight = 0.1;  // keeps what distances across the curve leave open where it was
+    constexpr double along_weight = 0.01;  // keeps what distances across the curve leave open where it was
     NearestOnOutline target(b);
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    for (const OutlineEdge& edge : a.edges) {
-        const Point p = apply(map, 0.5 * (edge.from + edge.to));
+    for (std::size_t i = 0; i < a.edges.size(); ++i) {
+        const OutlineEdge& edge = a.edges[i];
+        const OutlineEdge& before = a.edges[(i + a.edges.size() - 1) % a.edges.size()];
+        const Point p = apply(map, edge.from);
         const Nearest foot = target.nearest(p);
         const double speed = abs(foot.direction);
         const Point along = speed > 0 ? foot.direction / speed : Point{1, 0};
         const Point gap = foot.at - p;
-        const double weight = abs(edge.to - edge.from);
+        const double weight = abs(edge.to - edge.from) + abs(before.to - before.from);
         for (const auto& [axis, w] : {std::pair{Point{-along.y, along.x}, weight}, std::pair{along, along_weight * weight}}) {
             const Eigen::Vector4d row(dot(axis, p), dot(axis, {-p.y, p.x}), axis.x, axis.y);
             normal += w * row * row.transpose();
@@ -179,7 +184,10 @@ bool within_distance(const FineOutline& a, const Similarity& map, const FineOutl
 
 Similarity refined(const FineOutline& a, const Similarity& map, const FineOutline& b) {
     if (a.edges.empty() || b.edges.empty()) return map;
-    return refining_step(a, refining_step(a, map, b), b);
+    constexpr int steps = 2;
+    Similarity better = map;
+    for (int i = 0; i < steps; ++i) better = refining_step(a, better, b);
+    return better;
 }
 
 }  // namespace rinceau

@@ -22,9 +22,16 @@ bool is_circular(const Moments& moments, const FineOutline& outline, double dist
     return true;
 }
 
+/// Near-symmetric shapes pass single turns of wrong orders, never all of them.
+bool has_order(const Moments& moments, const FineOutline& outline, int order, double distance) {
+    for (int i = 1; i < order; ++i)
+        if (!maps_to_itself(moments, outline, rotate(two_pi * i / order), distance)) return false;
+    return true;
+}
+
 int rotation_order(const Moments& moments, const FineOutline& outline, double distance) {
     for (int order = most_rotations; order > 1; --order)
-        if (maps_to_itself(moments, outline, rotate(two_pi / order), distance)) return order;
+        if (has_order(moments, outline, order, distance)) return order;
     return 1;
 }
 
@@ -44,6 +51,24 @@ Complex clean_turn(double angle) {
     return turn;
 }
 
+/// Angles of mirror images z -> exp(i angle) conj(z) that may be symmetries, the likely ones first.
+std::vector<double> mirror_candidates(const Moments& moments, const FineOutline& outline, int order, double distance) {
+    std::vector<double> angles;
+    for (const Alignment& mirror : alignments(moments, moments, true, hopeless_residual, most_rotations))
+        angles.push_back(clean_angle(mirror.angle));
+    // Beyond the orders of the moments: the farthest point goes to an equally far one, in its own sector of the rotations.
+    Point far;
+    for (const OutlineEdge& edge : outline.edges)
+        if (norm(edge.from) > norm(far)) far = edge.from;
+    for (const OutlineEdge& edge : outline.edges) {
+        const double turn = wrap_angle(arg(edge.from) - arg(far));
+        const bool own_sector = std::abs(turn) <= two_pi / order;
+        if (order >= moment_orders && own_sector && std::abs(abs(edge.from) - abs(far)) <= distance)
+            angles.push_back(clean_angle(arg(edge.from) + arg(far)));
+    }
+    return angles;
+}
+
 }  // namespace
 
 SymmetryGroup symmetry_of(const Moments& moments, const FineOutline& outline, double distance) {
@@ -56,8 +81,7 @@ SymmetryGroup symmetry_of(const Moments& moments, const FineOutline& outline, do
     const int order = rotation_order(moments, outline, distance);
     for (int i = 1; i < order; ++i) group.elements.push_back({clean_turn(two_pi * i / order), {}, false});
     // Mirror images: one axis gives all.
-    for (const Alignment& mirror : alignments(moments, moments, true, hopeless_residual, most_rotations)) {
-        const double angle = clean_angle(mirror.angle);
+    for (const double angle : mirror_candidates(moments, outline, order, distance)) {
         if (!within_distance(outline, {polar(1, angle), {}, true}, outline, distance)) continue;
         const double sector = two_pi / order;
         const double first = angle - sector * std::floor(angle / sector + 1e-9);  // in [0, sector), rounding forgiven
