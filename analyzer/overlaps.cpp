@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "analyzer/painted_region.h"
+#include "analyzer/painted_outline.h"
 #include "geometry/box_tree.h"
 
 namespace rinceau {
@@ -35,18 +35,18 @@ std::optional<Color> only_color(const Element& element) {
     return fills ? *fill : *stroke;
 }
 
-/// What the search knows of each element; regions are made when they are first asked for.
+/// What the search knows of each element; outlines are made when they are first asked for.
 struct Search {
     const Scene& scene;
     double margin;
     std::vector<Box> boxes;  ///< grown by half the margin; empty for what paints nothing
     std::vector<std::optional<Color>> colors;
-    std::vector<std::optional<PaintedRegion>> regions;
+    std::vector<std::optional<PaintedOutline>> outlines;
 };
 
 Search start_search(const Scene& scene, double margin) {
     Search search{scene, margin, {}, {}, {}};
-    search.regions.resize(scene.elements.size());
+    search.outlines.resize(scene.elements.size());
     for (const Element& element : scene.elements) {
         Box box;
         if (paints(element)) {
@@ -63,11 +63,11 @@ bool order_hidden(const Search& search, std::size_t i, std::size_t j) {
     return search.colors[i] && search.colors[j] && *search.colors[i] == *search.colors[j];
 }
 
-const PaintedRegion& region_of(Search& search, std::size_t i) {
-    if (!search.regions[i]) {
-        search.regions[i] = painted_region(search.scene.elements[i], deviation_in_margins * search.margin);
+const PaintedOutline& outline_of(Search& search, std::size_t i) {
+    if (!search.outlines[i]) {
+        search.outlines[i] = painted_outline(search.scene.elements[i], deviation_in_margins * search.margin);
     }
-    return *search.regions[i];
+    return *search.outlines[i];
 }
 
 /// Do elements with meeting boxes touch?
@@ -75,7 +75,7 @@ bool elements_touch(Search& search, std::size_t i, std::size_t j) {
     const Element& a = search.scene.elements[i];
     const Element& b = search.scene.elements[j];
     if (!a.verbatim.empty() || !b.verbatim.empty()) return true;
-    return regions_touch(region_of(search, i), region_of(search, j), search.margin);
+    return paint_touches(outline_of(search, i), outline_of(search, j), search.margin);
 }
 
 OverlapPair pair_of(std::size_t i, std::size_t j) {

@@ -18,7 +18,7 @@ struct ThickEdge {
 
 /// Outlines as polylines within a deviation of the curves. Strokes are solid whatever their dashes; a mitre and a square cap
 /// are edges of their own, so that no painted point is left out.
-struct PaintedRegion {
+struct PaintedOutline {
     Box box;
     bool solid = false;  ///< the inside of the outline is painted
     FillRule fill_rule = FillRule::nonzero;
@@ -29,9 +29,9 @@ struct PaintedRegion {
 };
 
 /// `element` must paint something and not be verbatim.
-PaintedRegion painted_region(const Element& element, double deviation);
+PaintedOutline painted_outline(const Element& element, double deviation);
 
-/// Do the regions come within `margin` of each other? Their polylines count, so the answer is off by the deviation at most.
-bool regions_touch(const PaintedRegion& a, const PaintedRegion& b, double margin);
+/// Do the painted regions come within `margin` of each other? Their polylines count, so the answer is off by the deviation at most.
+bool paint_touches(const PaintedOutline& a, const PaintedOutline& b, double margin);
 
 }  // namespace rinceau

@@ -1,4 +1,4 @@
-#include "analyzer/painted_region.h"
+#include "analyzer/painted_outline.h"
 
 #include <cmath>
 #include <limits>
@@ -53,13 +53,13 @@ void append_stroke_tips(std::vector<ThickEdge>& edges, const std::vector<Point>&
 }
 
 /// The polyline's edges; a single point is an edge of length 0.
-void append_outline(PaintedRegion& region, const std::vector<Point>& line, bool closed, double radius) {
+void append_outline(PaintedOutline& region, const std::vector<Point>& line, bool closed, double radius) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) region.edges.push_back({line[i], line[i + 1], radius});
     if (line.size() == 1 || closed) region.edges.push_back({line.back(), line.front(), radius});
     else if (region.solid) region.edges.push_back({line.back(), line.front(), 0});
 }
 
-bool contains_point(const PaintedRegion& region, Point p) {
+bool contains_point(const PaintedOutline& region, Point p) {
     if (!region.solid || !overlap(region.box, {p, p})) return false;
     int winding = 0;
     int crossings = 0;
@@ -90,7 +90,7 @@ bool edges_touch(const ThickEdge& a, const ThickEdge& b, double margin) {
            segment_crossing(a.from, a.to, b.from, b.to).has_value();
 }
 
-bool touches_any_edge(const PaintedRegion& region, const ThickEdge& probe, double margin) {
+bool touches_any_edge(const PaintedOutline& region, const ThickEdge& probe, double margin) {
     const Box reach = grown(box_of(probe), margin);
     bool touching = false;
     const auto try_edge = [&](std::size_t i) { return !(touching = edges_touch(region.edges[i], probe, margin)); };
@@ -104,7 +104,7 @@ bool touches_any_edge(const PaintedRegion& region, const ThickEdge& probe, doubl
     return touching;
 }
 
-bool any_start_inside(const PaintedRegion& inner, const PaintedRegion& outer) {
+bool any_start_inside(const PaintedOutline& inner, const PaintedOutline& outer) {
     for (const Point p : inner.starts) {
         if (contains_point(outer, p)) return true;
     }
@@ -113,11 +113,11 @@ bool any_start_inside(const PaintedRegion& inner, const PaintedRegion& outer) {
 
 }  // namespace
 
-PaintedRegion painted_region(const Element& element, double deviation) {
+PaintedOutline painted_outline(const Element& element, double deviation) {
     const Stroke& stroke = element.style.stroke;
     const bool stroked = paints_stroke(element.style);
     const double radius = stroked ? stroke.width / 2 * largest_stretch(stroke.pen) : 0;
-    PaintedRegion region{.box = painted_box(element), .solid = paints_fill(element.style), .fill_rule = element.style.fill_rule};
+    PaintedOutline region{.box = painted_box(element), .solid = paints_fill(element.style), .fill_rule = element.style.fill_rule};
     std::vector<ThickEdge> tips;
     for (const Path& path : element.paths) {
         const std::vector<Point> line = flattened(path, deviation);
@@ -136,11 +136,11 @@ PaintedRegion painted_region(const Element& element, double deviation) {
     return region;
 }
 
-bool regions_touch(const PaintedRegion& a, const PaintedRegion& b, double margin) {
+bool paint_touches(const PaintedOutline& a, const PaintedOutline& b, double margin) {
     // The common case of a thing on a ground is decided by one point.
     if (any_start_inside(a, b) || any_start_inside(b, a)) return true;
-    const PaintedRegion& fewer = a.edges.size() <= b.edges.size() ? a : b;
-    const PaintedRegion& more = a.edges.size() <= b.edges.size() ? b : a;
+    const PaintedOutline& fewer = a.edges.size() <= b.edges.size() ? a : b;
+    const PaintedOutline& more = a.edges.size() <= b.edges.size() ? b : a;
     const Box reach = grown(more.box, margin);
     for (const ThickEdge& probe : fewer.edges) {
         if (overlap(box_of(probe), reach) && touches_any_edge(more, probe, margin)) return true;
