@@ -136,8 +136,10 @@ void stack_copies(SearchState& state, int p, const std::vector<std::vector<int>>
 
 double median_neighbour_distance(const SearchState& state) {
     std::vector<Point> origins;
-    for (const Item& item : state.rules.items) {
-        if (item.alive) origins.push_back(item.pose.translation);
+    for (const auto& members : state.members) {
+        for (const int i : members) {
+            if (state.item(i).alive) origins.push_back(state.item(i).pose.translation);
+        }
     }
     if (origins.size() < 2) return state.diagonal;
     constexpr std::size_t most_samples = 2000;
@@ -164,13 +166,17 @@ SearchState starting_state(const Instancing& instancing, const PoseTolerance& to
     }
     for (std::size_t e = 0; e < instancing.instances.size(); ++e) {
         const Instance& instance = instancing.instances[e];
-        if (!instancing.looks[static_cast<std::size_t>(instance.look)].verbatim.empty()) continue;
         Item item;
         item.part = instance.look;
         item.pose = instance.pose;
         item.element = static_cast<int>(e);
         item.first = static_cast<int>(e);
-        add_item(state, item);
+        const bool verbatim = !instancing.looks[static_cast<std::size_t>(instance.look)].verbatim.empty();
+        if (verbatim) {
+            state.rules.items.push_back(item);  // listed in the axiom; no member of its part, so that no rule sees it
+        } else {
+            add_item(state, item);
+        }
     }
     state.members.resize(state.rules.parts.size());
     const auto looks = static_cast<int>(state.rules.parts.size());

@@ -33,7 +33,7 @@ struct SearchState {
     const PartCost& cost(int p) const { return costs[static_cast<std::size_t>(p)]; }
 };
 
-/// Parts for the looks and an item for each element that is not verbatim. Several copies in the same place become one item of
+/// Parts for the looks and an item for each element; verbatim ones are in no list of members. Several copies in the same place become one item of
 /// a part that holds them all, so that places are unique.
 SearchState starting_state(const Instancing& instancing, const PoseTolerance& tolerance, double diagonal);
 

@@ -1,0 +1,155 @@
+#include "analyzer/analyze.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "analyzer/generate_rules.h"
+#include "analyzer/grammar_bits.h"
+#include "analyzer/inline_groups.h"
+#include "analyzer/order_rules.h"
+#include "analyzer/overlaps.h"
+#include "analyzer/paint_order.h"
+#include "analyzer/report.h"
+#include "analyzer/residuals.h"
+#include "analyzer/to_grammar.h"
+#include "lsystem/grammar_text.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr std::size_t most_elements = 5'000'000;
+
+// Shares of the diagonal. A picture 900 pixels wide has a diagonal of some 1100 pixels: the first is a tenth of a pixel.
+constexpr double exact_share = 8e-5;       // an element may miss its place by this before it gets an exception
+constexpr double digits_share = 1.5e-5;    // one number of the grammar may move what follows it by this
+constexpr double outline_share = 1e-4;     // copies may differ from their terminal by this
+
+/// Tried in turn unless the user names one, in element sizes (ANALYZER section 16, lesson a).
+constexpr double tolerance_ladder[] = {0.01, 0.003, 0.03};
+
+class Stopwatch {
+  public:
+    /// Seconds since the last call.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// One finished description of the drawing.
+struct Description {
+    OrderedRules ordered;
+    WrittenGrammar written;
+    Grammar grammar;
+    DescriptionBits bits;
+    double tolerance = 0;
+};
+
+struct Drawing {
+    const Scene& scene;
+    const Instancing& instancing;
+    const Overlaps& overlaps;
+    double diagonal;
+};
+
+Description describe(const Drawing& drawing, RuleSet rules, double tolerance) {
+    Description description;
+    description.tolerance = tolerance;
+    description.ordered = ordered_for_painting(with_inlined_groups(std::move(rules)), drawing.overlaps);
+    description.written =
+        to_grammar(description.ordered, drawing.instancing, drawing.scene, digits_share * drawing.diagonal);
+    const Residuals exact = with_residuals(description.written, drawing.instancing, exact_share * drawing.diagonal);
+    description.grammar = with_paint_order(exact.grammar, description.written.element_of_leaf, drawing.overlaps);
+    description.bits = description_bits(description.ordered, description.written, description.grammar, drawing.instancing,
+                                        exact.deviation, drawing.diagonal);
+    return description;
+}
+
+/// No rules: every element stands in the axiom.
+RuleSet no_rules(const Drawing& drawing) {
+    RuleSet rules = starting_state(drawing.instancing, {}, drawing.diagonal).rules;
+    RuleSet flat;
+    for (const Part& part : rules.parts) {
+        if (part.look >= 0) flat.parts.push_back(part);
+    }
+    for (Item& item : rules.items) {
+        if (item.element < 0) continue;
+        item.alive = true;
+        flat.items.push_back(std::move(item));
+    }
+    return flat;
+}
+
+std::vector<double> tolerances(const AnalyzeOptions& options) {
+    if (options.tolerance > 0) return {options.tolerance};
+    return {std::begin(tolerance_ladder), std::end(tolerance_ladder)};
+}
+
+}  // namespace
+
+Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
+    const Overlaps overlaps;
+    const Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene)};
+    return describe(drawing, no_rules(drawing), 0).grammar;
+}
+
+Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progress& progress) {
+    if (scene.elements.size() > most_elements) {
+        throw LimitError({}, "the drawing has " + std::to_string(scene.elements.size()) + " elements; at most " +
+                                 std::to_string(most_elements) + " can be analysed: split the drawing");
+    }
+    Analysis analysis;
+    AnalysisReport& report_out = analysis.report;
+    Stopwatch watch;
+
+    // Similarity: which elements are copies of which.
+    report(progress, "similarity", 0);
+    SimilarityOptions similarity = options.similarity;
+    similarity.tolerance_of_diagonal = std::min(similarity.tolerance_of_diagonal, outline_share);
+    const Instancing instancing = group_similar_elements(scene, similarity, progress);
+    const Overlaps overlaps = find_overlaps(scene);
+    const Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene)};
+    report_out.seconds.similarity = watch.lap();
+
+    // Rules, at several tolerances; the shortest description that proves right is kept.
+    Description flat = describe(drawing, no_rules(drawing), 0);
+    std::vector<Description> descriptions;
+    SearchOptions search;
+    search.weights = options.weights;
+    for (const double tolerance : tolerances(options)) {
+        SearchState state = starting_state(instancing, {tolerance, tolerance, PoseTolerance{}.per_distance}, drawing.diagonal);
+        state = generate_rules(std::move(state), search, progress);
+        descriptions.push_back(describe(drawing, std::move(state.rules), tolerance));
+    }
+    std::ranges::stable_sort(descriptions, {}, [](const Description& d) { return d.bits.grammar; });
+    descriptions.push_back(std::move(flat));
+    report_out.seconds.rules = watch.lap();
+
+    // The proof, from the text that will be written.
+    for (const Description& description : descriptions) {
+        report(progress, "check", 0);
+        analysis.grammar = parse_grammar(to_text(description.grammar));
+        report_out.check = verify(analysis.grammar, scene);
+        if (!report_out.check.passed && &description != &descriptions.back()) {
+            report_out.warnings.push_back("a shorter grammar was dropped because it did not redraw the picture: " +
+                                          report_out.check.summary);
+            continue;
+        }
+        fill_report(report_out, description.ordered, description.written, analysis.grammar, instancing);
+        report_out.drawing_bits = description.bits.drawing;
+        report_out.grammar_bits = description.bits.grammar;
+        report_out.tolerance = description.tolerance;
+        break;
+    }
+    report_out.seconds.verify = watch.lap();
+    return analysis;
+}
+
+}  // namespace rinceau

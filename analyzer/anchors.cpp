@@ -1,0 +1,79 @@
+#include "analyzer/anchors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rinceau {
+
+namespace {
+
+/// The pose (size and angle) that most instances of each look share; the first such one.
+std::vector<Complex> commonest_poses(const Instancing& instancing) {
+    constexpr double bin = 0.01;  // of log size and of radians
+    struct Count {
+        int times = 0;
+        Complex linear;
+    };
+    std::vector<std::map<std::pair<std::int64_t, std::int64_t>, Count>> counts(instancing.looks.size());
+    std::vector<Complex> commonest(instancing.looks.size(), Complex{1, 0});
+    std::vector<int> most(instancing.looks.size(), 0);
+    for (const Instance& instance : instancing.instances) {
+        if (instance.pose.mirrored) continue;
+        const auto look = static_cast<std::size_t>(instance.look);
+        const std::pair key{std::llround(std::log(scale_of(instance.pose)) / bin),
+                            std::llround(arg(instance.pose.linear) / bin)};
+        Count& count = counts[look][key];
+        if (count.times == 0) count.linear = instance.pose.linear;
+        if (++count.times > most[look]) {
+            most[look] = count.times;
+            commonest[look] = count.linear;
+        }
+    }
+    return commonest;
+}
+
+Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<Similarity>& anchors) {
+    const Child& first = part.children.front();
+    const RuleKind kind = rules.rules[static_cast<std::size_t>(part.rule)].kind;
+    Similarity member = anchors[static_cast<std::size_t>(first.part)];
+    if (kind == RuleKind::linear) member.translation = {};  // alpha and beta are linear about the member's own origin
+    const Similarity head = first.pose * member;
+    if (kind != RuleKind::ring) return head;
+    // The pivot, facing the first member, at the member's scale.
+    const double reach = abs(head.translation);
+    const bool off_centre = reach > 1e-9 * scale_of(head);
+    const Complex heading = off_centre ? head.translation / reach * Complex{0, -1} : head.linear / scale_of(head);
+    return {heading * scale_of(head), {}, false};
+}
+
+void spread_scale(const RuleSet& rules, int item, const Anchors& anchors, std::vector<double>& largest) {
+    const Item& at = rules.items[static_cast<std::size_t>(item)];
+    const auto part = static_cast<std::size_t>(at.part);
+    largest[part] = std::max(largest[part], scale_of(at.pose) * scale_of(anchors.of_part[part]));
+    for (const int member : at.members) spread_scale(rules, member, anchors, largest);
+}
+
+}  // namespace
+
+Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const std::vector<int>& roots) {
+    Anchors anchors;
+    anchors.of_part.resize(rules.parts.size());
+    anchors.extent.resize(rules.parts.size());
+    anchors.largest_scale.assign(rules.parts.size(), 0);
+    const std::vector<Complex> commonest = commonest_poses(instancing);
+    for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
+        const Part& part = rules.parts[p];
+        if (part.look >= 0) {
+            anchors.of_part[p].linear = Complex{1, 0} / commonest[static_cast<std::size_t>(part.look)];
+        } else {
+            anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
+        }
+        const double reach = abs(anchors.of_part[p].translation);
+        anchors.extent[p] = (part.radius + reach) / scale_of(anchors.of_part[p]);
+    }
+    for (const int root : roots) spread_scale(rules, root, anchors, anchors.largest_scale);
+    return anchors;
+}
+
+}  // namespace rinceau

@@ -1,0 +1,121 @@
+#include "analyzer/grammar_bits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "lsystem/turtle_commands.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr double precision = 0.002;  // of an element's size, and radians
+
+double place_bits(double diagonal, double size) { return std::max(1.0, std::log2(diagonal / (precision * size))); }
+
+double entropy(std::map<std::int64_t, int>& counts, double total) {
+    double bits = 0;
+    for (const auto& [unused, count] : counts) bits -= count / total * std::log2(count / total);
+    return bits;
+}
+
+/// Cost of one instance of a look written flat: which look, place, angle and mirror, scale; the latter by their frequency.
+std::vector<double> flat_bits(const Instancing& instancing, double diagonal) {
+    struct Sample {
+        std::map<std::int64_t, int> angles, scales;
+        double count = 0, log_size = 0;
+    };
+    std::vector<Sample> samples(instancing.looks.size());
+    for (const Instance& instance : instancing.instances) {
+        Sample& sample = samples[static_cast<std::size_t>(instance.look)];
+        const SymmetryGroup& symmetry = instancing.looks[static_cast<std::size_t>(instance.look)].symmetry;
+        const auto rotations = std::ranges::count_if(symmetry.elements, [](const Similarity& s) { return !s.mirrored; });
+        const double fold = symmetry.continuous ? 0 : static_cast<double>(rotations);
+        const double angle = fold > 0 ? wrap_angle(arg(instance.pose.linear) * fold) / fold : 0;
+        const double log_scale = std::log(scale_of(instance.pose));
+        ++sample.angles[std::llround(angle / precision) * 2 + (instance.pose.mirrored ? 1 : 0)];
+        ++sample.scales[std::llround(log_scale / precision)];
+        sample.log_size += log_scale;
+        ++sample.count;
+    }
+    std::vector<double> bits;
+    const double which = std::log2(std::max<double>(1, static_cast<double>(instancing.looks.size())));
+    for (std::size_t look = 0; look < samples.size(); ++look) {
+        Sample& sample = samples[look];
+        if (!instancing.looks[look].verbatim.empty() || sample.count == 0) {
+            bits.push_back(which);
+            continue;
+        }
+        const double size = std::exp(sample.log_size / sample.count);
+        bits.push_back(which + 2 * place_bits(diagonal, size) + entropy(sample.angles, sample.count) +
+                       entropy(sample.scales, sample.count));
+    }
+    return bits;
+}
+
+double number_bits(double value, double scale_of_values) {
+    // Natural values are short, as a person reads them.
+    const double magnitude = std::abs(value);
+    if (magnitude == std::round(magnitude) && magnitude <= 12) return 4;
+    if (std::abs(magnitude / 15 - std::round(magnitude / 15)) < 1e-12 && magnitude <= 360) return 5;
+    return scale_of_values;
+}
+
+double module_bits(const ModuleTemplate& module, double symbols, double length_bits) {
+    double bits = std::log2(symbols);
+    for (const Expression& argument : module.arguments) {
+        for (const Expression::Node& node : argument.postfix) {
+            bits += node.op == Expression::Op::number ? number_bits(node.number, length_bits) : 2;
+        }
+    }
+    return bits;
+}
+
+}  // namespace
+
+DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,
+                                 const Instancing& instancing, const std::vector<double>& deviation, double diagonal) {
+    DescriptionBits bits;
+    const std::vector<double> flat = flat_bits(instancing, diagonal);
+    double log_size = 0, drawn = 0;
+    for (const Instance& instance : instancing.instances) {
+        bits.drawing += flat[static_cast<std::size_t>(instance.look)];
+        if (!instancing.looks[static_cast<std::size_t>(instance.look)].verbatim.empty()) continue;
+        log_size += std::log(scale_of(instance.pose));
+        ++drawn;
+    }
+    const double size = drawn > 0 ? std::exp(log_size / drawn) : 1;
+    const double length_bits = place_bits(diagonal, size);
+    const double symbols = static_cast<double>(turtle_commands().size() + final_grammar.terminals.size()) +
+                           static_cast<double>(final_grammar.productions.size());
+
+    // Axiom: single elements cost what they cost in the drawing, groups a place, an angle, a scale and their module.
+    const double group_pose_bits = 2 * length_bits + std::log2(two_pi / precision);
+    for (const int root : ordered.roots) {
+        const Item& item = ordered.rules.items[static_cast<std::size_t>(root)];
+        const Part& part = ordered.rules.parts[static_cast<std::size_t>(item.part)];
+        bits.grammar += part.look >= 0 ? flat[static_cast<std::size_t>(part.look)] : group_pose_bits + std::log2(symbols) + 4;
+    }
+    for (const Production& production : final_grammar.productions) {
+        bits.grammar += std::log2(symbols);
+        for (const ModuleTemplate& module : production.successor) bits.grammar += module_bits(module, symbols, length_bits);
+    }
+    bits.grammar += static_cast<double>(final_grammar.constants.size()) * 6;
+    const double leaf_bits = std::log2(std::max<double>(2, static_cast<double>(instancing.instances.size())));
+    for (const Exception& exception : final_grammar.exceptions) {
+        bits.grammar += leaf_bits;
+        for (const ModuleTemplate& module : exception.successor) {
+            // What a residual's numbers hold is counted by the deviation below.
+            if (module.symbol == "z") bits.grammar += 6;
+        }
+    }
+    for (std::size_t leaf = 0; leaf < deviation.size() && leaf < written.element_of_leaf.size(); ++leaf) {
+        const Instance& instance = instancing.instances[static_cast<std::size_t>(written.element_of_leaf[leaf])];
+        const double in_precisions = deviation[leaf] / (precision * scale_of(instance.pose));
+        if (in_precisions > 1) bits.grammar += 2 * std::log2(1 + in_precisions);
+    }
+    return bits;
+}
+
+}  // namespace rinceau

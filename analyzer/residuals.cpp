@@ -1,0 +1,84 @@
+#include "analyzer/residuals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analyzer/module_writer.h"
+#include "lsystem/interpret.h"
+
+namespace rinceau {
+
+namespace {
+
+/// Distance of the farthest outline point from the origin, unit frame.
+double outline_reach(const Look& look) {
+    const Box box = bounds(look.paths);
+    if (is_empty(box)) return 1;
+    return std::max({1.0, abs(box.low), abs(box.high), abs(Point{box.low.x, box.high.y}), abs(Point{box.high.x, box.low.y})});
+}
+
+struct Nearest {
+    Similarity pose;  ///< of the terminal, in the gauge that is nearest to the derived pose
+    double deviation = 0;
+};
+
+/// The drawn pose, in the gauge nearest to `derived`.
+Nearest nearest_gauge(const Look& look, double reach, const Similarity& drawn, const Similarity& anchor,
+                      const Similarity& derived) {
+    Nearest best;
+    best.deviation = HUGE_VAL;
+    const Similarity derived_unit = derived * inverse(anchor);
+    const double shift = abs(drawn.translation - derived_unit.translation);
+    if (look.symmetry.continuous) {
+        const double scale = scale_of(drawn);
+        Similarity turned = derived_unit;
+        turned.linear = turned.linear * (scale / scale_of(turned));
+        turned.translation = drawn.translation;
+        return {turned * anchor, shift + reach * std::abs(scale - scale_of(derived_unit))};
+    }
+    for (const Similarity& gauge : look.symmetry.elements) {
+        const Similarity unit = drawn * gauge;
+        if (unit.mirrored != derived_unit.mirrored) continue;
+        const double deviation = shift + reach * abs(unit.linear - derived_unit.linear);
+        if (deviation < best.deviation) best = {unit * anchor, deviation};
+    }
+    if (best.deviation == HUGE_VAL) best = {drawn * anchor, shift + 2 * reach * scale_of(drawn)};
+    return best;
+}
+
+}  // namespace
+
+Residuals with_residuals(const WrittenGrammar& written, const Instancing& instancing, double tolerance) {
+    Residuals result;
+    result.grammar = written.grammar;
+    InterpretOptions options;
+    options.addresses = true;
+    const std::vector<Placement> placements = interpret(written.grammar, options);
+    std::vector<double> reaches;
+    for (const Look& look : instancing.looks) reaches.push_back(look.verbatim.empty() ? outline_reach(look) : 1);
+    result.deviation.resize(placements.size());
+    std::vector<const Placement*> by_order(placements.size());
+    for (const Placement& placement : placements) by_order[static_cast<std::size_t>(placement.order)] = &placement;
+    for (std::size_t leaf = 0; leaf < by_order.size() && leaf < written.element_of_leaf.size(); ++leaf) {
+        const Placement& placement = *by_order[leaf];
+        const Instance& instance = instancing.instances[static_cast<std::size_t>(written.element_of_leaf[leaf])];
+        const auto at = static_cast<std::size_t>(instance.look);
+        const Similarity& anchor = written.terminal_anchor[at];
+        const Nearest nearest = nearest_gauge(instancing.looks[at], reaches[at], instance.pose, anchor, placement.pose);
+        result.deviation[leaf] = nearest.deviation;
+        if (nearest.deviation <= tolerance) continue;
+        Exception exception;
+        exception.address = placement.address;
+        const double size = scale_of(placement.pose);
+        const double reach = reaches[at] * scale_of(instance.pose);
+        const double fine = 0.1 * tolerance;
+        append_move(exception.successor, inverse(placement.pose) * nearest.pose,
+                    {fine / size, fine / std::max(reach, fine), fine / std::max(reach, fine), fine / std::max(reach, fine)});
+        exception.successor.push_back(command(written.grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol));
+        result.grammar.exceptions.push_back(std::move(exception));
+        ++result.exceptions;
+    }
+    return result;
+}
+
+}  // namespace rinceau

@@ -1,0 +1,88 @@
+#include "analyzer/terminals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rinceau {
+
+std::string terminal_name(int index) {
+    const std::string letter(1, static_cast<char>('A' + index % 26));
+    return index < 26 ? letter : letter + std::to_string(index / 26);
+}
+
+namespace {
+
+double decimal_unit(double slack) { return std::pow(10, std::floor(std::log10(slack))); }
+
+/// x as the nearest double to its decimal: k * 10^-n as a quotient, so that it prints with n decimals.
+double decimal(double x, double unit) {
+    if (unit >= 1) return std::round(x / unit) * unit;
+    const double per_one = std::round(1 / unit);
+    return std::round(x * per_one) / per_one;
+}
+
+std::vector<Path> rounded_paths(std::vector<Path> paths, double slack) {
+    const double unit = decimal_unit(slack);
+    const auto round_point = [&](Point& p) { p = {decimal(p.x, unit), decimal(p.y, unit)}; };
+    for (Path& path : paths) {
+        round_point(path.start);
+        for (Segment& segment : path.segments) {
+            round_point(segment.control1);
+            round_point(segment.control2);
+            round_point(segment.to);
+        }
+    }
+    return paths;
+}
+
+double tidy_length(double value) {
+    // Six digits: a millionth of a stroke's width is never seen.
+    if (!(value > 0)) return value;
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 5);
+    return decimal(value, unit);
+}
+
+Style tidied(Style style) {
+    style.stroke.width = tidy_length(style.stroke.width);
+    for (double& dash : style.stroke.dashes) dash = tidy_length(dash);
+    return style;
+}
+
+int style_number(Grammar& grammar, const Style& style) {
+    constexpr double equal = 1e-6;
+    for (const NumberedStyle& known : grammar.styles) {
+        if (same_style(known.style, style, equal)) return known.number;
+    }
+    const int number = static_cast<int>(grammar.styles.size()) + 1;
+    grammar.styles.push_back({number, style, ""});
+    return number;
+}
+
+}  // namespace
+
+void add_terminals(Grammar& grammar, const Instancing& instancing, const Scene& scene, const std::vector<int>& looks,
+                   const std::vector<Similarity>& anchors, double slack) {
+    std::vector<int> first(instancing.looks.size(), -1);
+    for (std::size_t e = instancing.instances.size(); e-- > 0;) {
+        first[static_cast<std::size_t>(instancing.instances[e].look)] = static_cast<int>(e);
+    }
+    for (std::size_t k = 0; k < looks.size(); ++k) {
+        const auto at = static_cast<std::size_t>(looks[k]);
+        const Look& look = instancing.looks[at];
+        Terminal terminal;
+        terminal.symbol = terminal_name(static_cast<int>(k));
+        if (first[at] >= 0) terminal.id = scene.elements[static_cast<std::size_t>(first[at])].id;
+        if (!look.verbatim.empty()) {
+            terminal.verbatim = look.verbatim;
+            if (first[at] >= 0) terminal.verbatim_box = scene.elements[static_cast<std::size_t>(first[at])].verbatim_box;
+        } else {
+            const Similarity to_terminal = inverse(anchors[at]);
+            terminal.paths = rounded_paths(transformed(look.paths, to_terminal), slack);
+            terminal.style = style_number(grammar, tidied(transformed(look.unit_style, to_terminal)));
+        }
+        grammar.terminals.push_back(std::move(terminal));
+    }
+}
+
+}  // namespace rinceau
