@@ -5,6 +5,8 @@
 
 #include "geometry/angle.h"
 #include "scene/svg_clip.h"
+#include "scene/svg_draw.h"
+#include "scene/svg_effects.h"
 #include "scene/svg_number.h"
 #include "scene/svg_outline.h"
 #include "scene/svg_viewport.h"
@@ -151,13 +153,12 @@ void draw_marker(SvgReader& reader, const SvgContext& shape, Marker& marker, con
     marker.context.units.width = marker.view->width;
     marker.context.units.height = marker.view->height;
     marker.context.context_style = &style;
-    const std::size_t first = reader.scene.elements.size();
-    const SvgWarningLog::Mark mark = reader.warnings.mark();
+    const SvgMark mark = mark_of(reader);
     reader.references.push_back(marker.node);
     draw_children(reader, marker.context);
     reader.references.pop_back();
-    if (!marker.view->clip.empty()) clip_to_polygon(reader, first, marker.context.map, marker.view->clip, *marker.node);
-    finish_group(reader, *marker.above.back(), marker.context, first, mark);
+    finish_effects(reader, marker.context, mark);
+    if (!marker.view->clip.empty()) clip_to_polygon(reader, mark.elements, marker.context.map, marker.view->clip, *marker.node);
 }
 
 }  // namespace

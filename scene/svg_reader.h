@@ -59,6 +59,14 @@ struct SvgGradientDefinition {
     std::vector<GradientStop> stops;
 };
 
+/// A clip in scene space (svg_clip.cpp).
+struct SvgClip;
+
+struct SvgClipInPlace {
+    Affine map;
+    std::shared_ptr<const SvgClip> clip;
+};
+
 struct SvgReader {
     const SvgTree& tree;
     const SvgReadOptions& options;
@@ -68,17 +76,16 @@ struct SvgReader {
     Scene scene;
     SvgWarningLog warnings;
 
-    Point page;                    ///< width and height of the outermost viewport, px
     UnitContext root_units;        ///< inside the root element
     double tolerance = 1e-3;       ///< px; smaller differences do not show
     std::size_t drawn = 0;         ///< elements drawn so far, those taken back again included
     std::size_t verbatim_bytes = 0;  ///< text of kept parts so far, those taken back again included
     std::size_t kept_parts = 0;    ///< numbers the ids in kept parts
     std::size_t blended = 0;       ///< elements so far that blend with what is below them
-    int boxes_only = 0;            ///< > 0: kept parts are measured, not written
 
     std::vector<const SvgNode*> references;  ///< elements being drawn through a reference, against endless recursion
     std::unordered_map<const SvgNode*, std::shared_ptr<const SvgGradientDefinition>> gradients;
+    std::unordered_map<const SvgNode*, SvgClipInPlace> clips;  ///< the last use of each
 };
 
 /// SVG px (y down) to scene space (y up).
@@ -102,10 +109,5 @@ void take_back(SvgReader& reader, std::size_t first, SvgWarningLog::Mark mark);
 
 /// Adds a drawn element. Throws LimitError beyond max_elements.
 void add_element(SvgReader& reader, Element element, const SvgNode& node);
-
-/// Draws a node of any kind below `parent`, with all its effects (svg_draw.cpp).
-void draw_node(SvgReader& reader, const SvgContext& parent, const SvgNode& node);
-/// Draws the children of an element.
-void draw_children(SvgReader& reader, const SvgContext& context);
 
 }  // namespace rinceau

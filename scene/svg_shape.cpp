@@ -58,6 +58,7 @@ bool encloses_area(const Path& path) {
 std::vector<Path> with_dots_settled(std::vector<Path> outline, const Affine& map, const Style& style) {
     const bool capped = paints_stroke(style) && style.stroke.cap != LineCap::butt;
     if (!capped) std::erase_if(outline, is_dot);
+    if (!paints_stroke(style)) std::erase_if(outline, [](const Path& path) { return !encloses_area(path); });
     std::vector<Path> paths = transformed(outline, map);
     const bool turned = map.b != 0 && map.a != 0;
     if (!capped || style.stroke.cap != LineCap::square || !turned) return paths;
@@ -160,7 +161,7 @@ void draw_shape(SvgReader& reader, const SvgContext& context) {
         Element measured{.paths = transformed(outline, scene_map(context)), .style = shape.style};
         measured.style.fill = measured.style.stroke.paint = Color{};
         const Box box = marked ? Box{} : painted_box(measured);
-        keep_verbatim(reader, *context.parent, *context.node, box, "{} shapes painted with a pattern are kept as they are");
+        keep_verbatim(reader, context, box, "{} shapes painted with a pattern are kept as they are");
         return;
     }
     if (context.style.non_scaling_stroke && paints_stroke(shape.style))

@@ -1,0 +1,16 @@
+#pragma once
+// Clipping: clips that cut nothing are dropped, elements wholly outside are dropped, what is cut is kept verbatim.
+
+#include "scene/svg_reader.h"
+
+namespace rinceau {
+
+/// Applies the clip-path of `context` to the elements from `first` on. False if the clip is of a sort that cannot be told
+/// (text in it, a basic shape, ...): nothing has been done then.
+bool apply_clip_path(SvgReader& reader, const SvgContext& context, std::size_t first);
+
+/// Clips the elements from `first` on to a convex polygon given in the space that `map` takes to SVG px.
+void clip_to_polygon(SvgReader& reader, std::size_t first, const Affine& map, const std::vector<Point>& corners,
+                     const SvgNode& owner);
+
+}  // namespace rinceau
