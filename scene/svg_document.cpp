@@ -61,8 +61,11 @@ class PartSplitter {
     // Character data up to `end`. White space alone between tags inside <text> is kept by writing its first character as a
     // reference.
     void read_content(std::size_t end) {
-        const std::string_view content = std::string_view(text_).substr(at_, end - at_);
-        if (text_depth_ > 0 && !content.empty() && trimmed(content).empty()) put("&#32;");
+        std::string_view content = std::string_view(text_).substr(at_, end - at_);
+        if (text_depth_ > 0 && !content.empty() && trimmed(content).empty()) {
+            put("&#32;");
+            if (content.front() != '\n') content.remove_prefix(1);
+        }
         put(content);
         at_ = end;
     }
