@@ -61,16 +61,16 @@ class NearestOnOutline {
 
     bool within(Point p, double distance) {
         const double sure = distance - edge_deviation;
-        std::size_t best = near_last(p);
-        double squared = foot_on(outline_.edges[best], p).squared;
-        if (sure <= 0 || squared > sure * sure) {
-            best = nearest_edge(p);
-            squared = foot_on(outline_.edges[best], p).squared;
+        if (sure > 0 && some_near_last(p, sure * sure)) return true;
+        if (sure <= 0) {
+            last_ = near_last(p);
+            if (abs(on_curve(last_, p).at - p) <= distance) return true;
         }
-        last_ = best;
+        last_ = nearest_edge(p);
+        const double squared = foot_on(outline_.edges[last_], p).squared;
         if (sure > 0 && squared <= sure * sure) return true;
         if (squared > (distance + edge_deviation) * (distance + edge_deviation)) return false;
-        return abs(on_curve(best, p).at - p) <= distance;
+        return abs(on_curve(last_, p).at - p) <= distance;
     }
 
     /// For copies that are nearly in place.
@@ -82,14 +82,25 @@ class NearestOnOutline {
     }
 
   private:
+    /// Is one of the edges about the last answer near enough? It becomes the last answer.
+    bool some_near_last(Point p, double squared) {
+        const std::size_t count = outline_.edges.size();
+        for (std::size_t edge : {last_, last_ + 1, last_ + count - 1, last_ + 2, last_ + count - 2 % count}) {
+            while (edge >= count) edge -= count;
+            if (foot_on(outline_.edges[edge], p).squared > squared) continue;
+            last_ = edge;
+            return true;
+        }
+        return false;
+    }
+
     /// The best of the edges about the last answer.
     std::size_t near_last(Point p) const {
-        constexpr std::size_t reach = 2;
         const std::size_t count = outline_.edges.size();
         std::size_t best = last_;
         double squared = foot_on(outline_.edges[last_], p).squared;
-        for (std::size_t i = 1; i <= 2 * reach; ++i) {
-            const std::size_t edge = (last_ + (i <= reach ? i : count * reach - (i - reach))) % count;
+        for (std::size_t edge : {last_ + 1, last_ + count - 1, last_ + 2, last_ + count - 2 % count}) {
+            while (edge >= count) edge -= count;
             const double d = foot_on(outline_.edges[edge], p).squared;
             if (d < squared) best = edge, squared = d;
         }
@@ -126,7 +137,9 @@ class NearestOnOutline {
 bool one_way_within(const FineOutline& a, const Similarity& map, const FineOutline& b, double distance) {
     NearestOnOutline target(b);
     for (const OutlineEdge& edge : a.edges)
-        if (!target.within(apply(map, edge.from), distance) || !target.within(apply(map, edge.to), distance)) return false;
+        if (!target.within(apply(map, edge.from), distance) ||
+            (edge.last_of_line && !target.within(apply(map, edge.to), distance)))
+            return false;
     return true;
 }
 
@@ -161,19 +174,23 @@ Similarity refining_step(const FineOutline& a, const Similarity& map, const Fine
 FineOutline fine_outline(const Outline& outline, Point center, double unit) {
     FineOutline fine;
     fine.pieces.reserve(outline.pieces.size());
+    constexpr std::size_t usual_parts = 8;
+    fine.edges.reserve(usual_parts * outline.pieces.size());
     for (const OutlinePiece& scene_piece : outline.pieces) {
         const OutlinePiece piece = in_frame(scene_piece, center, unit);
         const int parts = parts_of(piece);
         Point from = piece.curve.from;
+        if (!fine.edges.empty() && fine.edges.back().to != from) fine.edges.back().last_of_line = true;
         for (int i = 0; i < parts; ++i) {
             const double t_from = static_cast<double>(i) / parts;
             const double t_to = static_cast<double>(i + 1) / parts;
             const Point to = i + 1 == parts ? piece.curve.to : point_at(piece, t_to);
-            fine.edges.push_back({from, to, static_cast<int>(fine.pieces.size()), t_from, t_to});
+            fine.edges.push_back({from, to, static_cast<int>(fine.pieces.size()), t_from, t_to, false});
             from = to;
         }
         fine.pieces.push_back(piece);
     }
+    if (!fine.edges.empty()) fine.edges.back().last_of_line = true;
     return fine;
 }
 

@@ -14,6 +14,7 @@ struct OutlineEdge {
     Point from, to;
     int piece = 0;
     double t_from = 0, t_to = 1;  ///< parameters of the ends on the piece
+    bool last_of_line = false;    ///< the next edge does not start where this one ends
 };
 
 /// An outline cut into short edges in its unit frame (centroid at the origin, rms radius 1).
