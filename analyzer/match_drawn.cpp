@@ -1,0 +1,225 @@
+#include "analyzer/match_drawn.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+
+#include "analyzer/outline_deviation.h"
+
+namespace rinceau {
+namespace {
+
+/// All in tolerances. An element further off than `reach` is another one; below `exact` any of several candidates will do.
+constexpr double reach_in_tolerances = 4;
+constexpr double exact_in_tolerances = 0.01;
+/// Deviations that differ by less are equal: then paint order decides.
+constexpr double step_in_tolerances = 1.0 / 16;
+/// Of the polylines; leaves the deviation right to a twentieth of the default tolerance of 2e-4 diagonals.
+constexpr double accuracy_in_tolerances = 0.01;
+/// Candidates of one element that are measured, nearest boxes first, and rounds until all candidates have had their turn.
+constexpr std::size_t candidates_per_round = 16;
+constexpr int rounds = 64;
+
+using CellKey = std::pair<double, double>;
+struct CellHash {
+    std::size_t operator()(const CellKey& key) const {
+        const std::uint64_t mixed = std::bit_cast<std::uint64_t>(key.first) * 0x9E3779B97F4A7C15ULL +
+                                    std::bit_cast<std::uint64_t>(key.second) * 0xC2B2AE3D27D4EB4FULL;
+        return static_cast<std::size_t>(mixed ^ (mixed >> 29U));
+    }
+};
+struct Cell {
+    std::vector<std::size_t> drawn;  ///< in paint order
+    std::size_t first_free = 0;      ///< all before are taken
+};
+
+/// Largest difference of the sides.
+double box_distance(const Box& a, const Box& b) {
+    return std::max({std::abs(a.low.x - b.low.x), std::abs(a.low.y - b.low.y), std::abs(a.high.x - b.high.x),
+                     std::abs(a.high.y - b.high.y)});
+}
+
+std::vector<Box> outline_boxes(const Scene& scene) {
+    std::vector<Box> boxes;
+    for (const Element& element : scene.elements) {
+        const Box box = bounds(element.paths);
+        boxes.push_back(is_empty(box) ? Box{{0, 0}, {0, 0}} : box);
+    }
+    return boxes;
+}
+
+class Matcher {
+  public:
+    Matcher(const Scene& scene, const Scene& drawn, double tolerance)
+        : scene_(scene), drawn_(drawn), tolerance_(tolerance), reach_(reach_in_tolerances * tolerance),
+          scene_boxes_(outline_boxes(scene)), drawn_boxes_(outline_boxes(drawn)), taken_(drawn.elements.size(), false),
+          matches_(scene.elements.size()) {}
+
+    std::vector<DrawnMatch> run() {
+        match_verbatim();
+        fill_cells();
+        match_exact();
+        match_nearest(true);
+        match_nearest(false);
+        return std::move(matches_);
+    }
+
+  private:
+    struct Candidate {
+        double deviation;
+        std::int64_t step;  ///< the deviation in steps
+        std::size_t element;
+        std::size_t drawn;
+    };
+
+    const Scene& scene_;
+    const Scene& drawn_;
+    double tolerance_;
+    double reach_;
+    std::vector<Box> scene_boxes_;
+    std::vector<Box> drawn_boxes_;
+    std::vector<bool> taken_;
+    std::vector<DrawnMatch> matches_;
+    std::unordered_map<CellKey, Cell, CellHash> cells_;
+
+    bool open(std::size_t element) const { return matches_[element].drawn < 0 && scene_.elements[element].verbatim.empty(); }
+
+    void take(std::size_t element, std::size_t drawn, double deviation, bool same_style) {
+        matches_[element] = {static_cast<int>(drawn), deviation, same_style};
+        taken_[drawn] = true;
+    }
+
+    void match_verbatim() {
+        std::map<std::string_view, std::vector<std::size_t>> fragments;  // last = lowest
+        for (std::size_t j = drawn_.elements.size(); j-- > 0;) {
+            if (!drawn_.elements[j].verbatim.empty()) fragments[drawn_.elements[j].verbatim].push_back(j);
+        }
+        for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
+            if (scene_.elements[i].verbatim.empty()) continue;
+            const auto found = fragments.find(scene_.elements[i].verbatim);
+            if (found == fragments.end() || found->second.empty()) continue;
+            take(i, found->second.back(), 0, true);
+            found->second.pop_back();
+        }
+    }
+
+    double cell_index(double coordinate) const { return std::floor(coordinate / (2 * reach_)) + 0.0; }
+
+    void fill_cells() {
+        for (std::size_t j = 0; j < drawn_.elements.size(); ++j) {
+            if (!drawn_.elements[j].verbatim.empty()) continue;
+            const Point p = center(drawn_boxes_[j]);
+            cells_[{cell_index(p.x), cell_index(p.y)}].drawn.push_back(j);
+        }
+    }
+
+    /// The cells whose elements may have their centres within reach.
+    std::vector<Cell*> cells_near(Point p) {
+        std::vector<Cell*> near;
+        const double first_x = cell_index(p.x - reach_), last_x = cell_index(p.x + reach_);
+        const double first_y = cell_index(p.y - reach_), last_y = cell_index(p.y + reach_);
+        for (const double x : {first_x, last_x}) {
+            for (const double y : {first_y, last_y}) {
+                if ((x == first_x || first_x != last_x) && (y == first_y || first_y != last_y)) {
+                    const auto found = cells_.find({x, y});
+                    if (found != cells_.end() && std::find(near.begin(), near.end(), &found->second) == near.end()) {
+                        near.push_back(&found->second);
+                    }
+                }
+            }
+        }
+        return near;
+    }
+
+    /// Calls visit(drawn) for what is free in the cell, in paint order, until it returns false.
+    template <class Visit>
+    void visit_free(Cell& cell, Visit visit) {
+        while (cell.first_free < cell.drawn.size() && taken_[cell.drawn[cell.first_free]]) ++cell.first_free;
+        for (std::size_t k = cell.first_free; k < cell.drawn.size(); ++k) {
+            if (!taken_[cell.drawn[k]] && !visit(cell.drawn[k])) return;
+        }
+    }
+
+    double deviation(std::size_t element, std::size_t drawn) const {
+        const Element& a = scene_.elements[element];
+        const Element& b = drawn_.elements[drawn];
+        const double found = outline_deviation(a.paths, b.paths, {reach_, accuracy_in_tolerances * tolerance_, tolerance_ / 4});
+        const bool winding_counts = paints_fill(a.style) && a.style.fill_rule == FillRule::nonzero;
+        return found < reach_ && winding_counts && !wind_alike(a.paths, b.paths, std::max(found, tolerance_ / 4)) ? reach_ : found;
+    }
+
+    bool style_agrees(std::size_t element, std::size_t drawn) const {
+        return same_style(scene_.elements[element].style, drawn_.elements[drawn].style, tolerance_);
+    }
+
+    void match_exact() {
+        const double exact = exact_in_tolerances * tolerance_;
+        for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
+            if (!open(i)) continue;
+            std::size_t best = drawn_.elements.size();
+            double best_deviation = 0;
+            for (Cell* cell : cells_near(center(scene_boxes_[i]))) {
+                visit_free(*cell, [&](std::size_t j) {
+                    if (j >= best) return false;
+                    if (box_distance(scene_boxes_[i], drawn_boxes_[j]) > exact || !style_agrees(i, j)) return true;
+                    const double found = deviation(i, j);
+                    if (found > exact) return true;
+                    best = j;
+                    best_deviation = found;
+                    return false;
+                });
+            }
+            if (best < drawn_.elements.size()) take(i, best, best_deviation, true);
+        }
+    }
+
+    std::vector<std::size_t> nearest_free(std::size_t element, bool same_style_only) {
+        std::vector<std::pair<double, std::size_t>> near;
+        for (Cell* cell : cells_near(center(scene_boxes_[element]))) {
+            visit_free(*cell, [&](std::size_t j) {
+                const double apart = box_distance(scene_boxes_[element], drawn_boxes_[j]);
+                if (apart <= reach_ && (!same_style_only || style_agrees(element, j))) near.emplace_back(apart, j);
+                return true;
+            });
+        }
+        const std::size_t kept = std::min(near.size(), candidates_per_round);
+        std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
+        std::vector<std::size_t> indices;
+        for (std::size_t k = 0; k < kept; ++k) indices.push_back(near[k].second);
+        return indices;
+    }
+
+    void match_nearest(bool same_style_only) {
+        for (int round = 0; round < rounds; ++round) {
+            std::vector<Candidate> candidates;
+            for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
+                if (!open(i)) continue;
+                for (const std::size_t j : nearest_free(i, same_style_only)) {
+                    const double found = deviation(i, j);
+                    const double step = std::floor(found / (step_in_tolerances * tolerance_));
+                    if (found < reach_) candidates.push_back({found, static_cast<std::int64_t>(step), i, j});
+                }
+            }
+            if (candidates.empty()) return;
+            std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+                return std::tie(a.step, a.element, a.drawn) < std::tie(b.step, b.element, b.drawn);
+            });
+            for (const Candidate& c : candidates) {
+                if (open(c.element) && !taken_[c.drawn]) take(c.element, c.drawn, c.deviation, same_style_only);
+            }
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<DrawnMatch> match_drawn(const Scene& scene, const Scene& drawn, double tolerance) {
+    return Matcher(scene, drawn, tolerance).run();
+}
+
+}  // namespace rinceau
