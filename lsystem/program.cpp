@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "lsystem/expression_functions.h"
@@ -12,7 +13,21 @@ namespace {
 
 using Op = Expression::Op;
 
-double apply_unary(Op operation, double a) { return operation == Op::negate ? -a : static_cast<double>(a == 0); }
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+/// A comparison with what is not a number has no value either: it must not pass for "no".
+double truth_of(bool holds, double a, double b) {
+    return std::isnan(a) || std::isnan(b) ? undefined : static_cast<double>(holds);
+}
+
+/// 0 if one of both is 0, whatever the other is.
+double conjunction(double a, double b) { return a == 0 || b == 0 ? 0 : truth_of(true, a, b); }
+
+bool holds(double a) { return a != 0 && !std::isnan(a); }
+
+double disjunction(double a, double b) { return holds(a) || holds(b) ? 1 : truth_of(false, a, b); }
+
+double apply_unary(Op operation, double a) { return operation == Op::negate ? -a : truth_of(a == 0, a, a); }
 
 double apply_binary(Op operation, double a, double b) {
     switch (operation) {
@@ -29,21 +44,21 @@ double apply_binary(Op operation, double a, double b) {
         case Op::power:
             return std::pow(a, b);
         case Op::less:
-            return a < b;
+            return truth_of(a < b, a, b);
         case Op::less_equal:
-            return a <= b;
+            return truth_of(a <= b, a, b);
         case Op::greater:
-            return a > b;
+            return truth_of(a > b, a, b);
         case Op::greater_equal:
-            return a >= b;
+            return truth_of(a >= b, a, b);
         case Op::equal:
-            return a == b;
+            return truth_of(a == b, a, b);
         case Op::not_equal:
-            return a != b;
+            return truth_of(a != b, a, b);
         case Op::logical_and:
-            return a != 0 && b != 0;
+            return conjunction(a, b);
         default:
-            return a != 0 || b != 0;
+            return disjunction(a, b);
     }
 }
 

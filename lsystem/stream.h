@@ -136,19 +136,20 @@ class ModuleStream {
         constexpr std::size_t levels_that_show = 6;
         for (std::size_t i = 0; i < frames_.size() && i < levels_that_show; ++i) {
             const Frame& frame = frames_[i];
-            const CompiledString& string = string_of(frame);
-            if (string.empty()) break;
-            const double size = static_cast<double>(string.size());
-            const double left = static_cast<double>(frame.end - frame.next);
-            // the module in work counts as not done
-            done += share * std::max(0.0, size - left - 1) / size;
+            const CompiledString* string = string_of(frame);
+            if (string == nullptr || string->empty()) break;
+            const double size = static_cast<double>(string->size());
+            const double in_work = i + 1 < frames_.size() ? 1 : 0;
+            done += share * (size - static_cast<double>(frame.end - frame.next) - in_work) / size;
             share /= size;
         }
         report(progress_, "derive", done);
     }
-    const CompiledString& string_of(const Frame& frame) const {
-        return frame.occurrence >= 0 ? grammar_.productions[static_cast<std::size_t>(frame.occurrence)].successor
-                                     : grammar_.axiom;
+    /// nullptr for an exception's successor: too small a part of the work to show.
+    const CompiledString* string_of(const Frame& frame) const {
+        if (frame.occurrence == exception_occurrence) return nullptr;
+        return frame.occurrence >= 0 ? &grammar_.productions[static_cast<std::size_t>(frame.occurrence)].successor
+                                     : &grammar_.axiom;
     }
 
     Frame& open(const CompiledString& string, int occurrence, Symbol own, int generation) {
