@@ -45,7 +45,7 @@ std::string decompressed(std::string_view bytes, const SvgSourceOptions& options
     const auto count = [&](std::string_view block) {
         size += block.size();
         if (size > options.max_bytes) {
-            throw LimitError({options.file_name}, "the decompressed text is longer than the limit of " +
+            throw LimitError({options.file_name, 1, 1}, "the decompressed text is longer than the limit of " +
                                                       std::to_string(options.max_bytes) + " bytes");
         }
     };
@@ -126,7 +126,8 @@ std::string svg_source_text(std::string_view bytes, const SvgSourceOptions& opti
     std::string unpacked;
     if (bytes.starts_with("\x1F\x8B"sv)) bytes = unpacked = decompressed(bytes, options);
     if (bytes.size() > options.max_bytes) {
-        throw LimitError({options.file_name}, "the file is longer than the limit of " + std::to_string(options.max_bytes) + " bytes");
+        throw LimitError({options.file_name, 1, 1},
+                         "the file is longer than the limit of " + std::to_string(options.max_bytes) + " bytes");
     }
 
     // Decode, and see whether this can be XML at all.

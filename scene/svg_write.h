@@ -7,7 +7,8 @@
 
 namespace rinceau {
 
-/// The scene as an SVG document. read_svg of the result gives the same scene (numbers in shortest round-trip form).
+/// The scene as an SVG document. read_svg of the result gives the same scene (numbers in shortest round-trip form); to
+/// rounding where a pen is no circle. Elements that share an id: only the first one keeps it.
 std::string write_svg(const Scene& scene);
 
 /// "M0 0L1 2C..Z" of paths whose y axis points UP, in SVG's y-down convention. Numbers are written with at most `digits`
