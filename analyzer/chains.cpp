@@ -148,6 +148,7 @@ std::vector<Chain> directed_chains(const RuleSet& rules, const PoseGrid& grid,
     const double advance = step.translation.y;
     // Follow every start edge forward; an edge leads to at most one other.
     for (const Edge& start : starts) {
+        if (!item_at(rules, start.first).alive || !item_at(rules, start.second).alive) continue;
         Edge edge = start;
         while (!next_edge.contains(edge)) {
             next_edge[edge] = nowhere;

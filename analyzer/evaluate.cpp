@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "analyzer/fit_step.h"
 
@@ -22,6 +23,7 @@ constexpr double linear_bits = 24;           // the two changes of a linear rule
 constexpr double directed_bits = 10;         // saying that the heading follows the step
 constexpr double closing_credit = 26;        // the last pair of groups joins even at this loss, so that the axiom is one symbol
 constexpr std::size_t closing_groups = 3;
+constexpr double ambiguity_price = 0.75;
 constexpr double false_alarm_bits = -4;
 constexpr double link_slack = 2;  // votes are clustered at the tolerance, links accepted at twice that (hysteresis)
 
@@ -43,7 +45,7 @@ std::vector<int> sources_of(const SearchState& state, const Hypothesis& hypothes
 
 /// Pairs for a group of two parts; each item in at most one pair, the nearer to the prediction first.
 std::vector<Chain> group_pairs(const SearchState& state, GridCache& grids, const Hypothesis& hypothesis,
-                               const Similarity& step) {
+                               const Similarity& step, double& ambiguity) {
     struct Candidate {
         double shift;
         Chain pair;
@@ -79,15 +81,20 @@ std::vector<Chain> group_pairs(const SearchState& state, GridCache& grids, const
     }
     std::ranges::stable_sort(candidates, {}, &Candidate::shift);
     std::vector<char> used(state.rules.items.size(), 0);
+    std::set<std::pair<int, int>> choices;
     std::vector<Chain> pairs;
     for (Candidate& candidate : candidates) {
-        char& first = used[static_cast<std::size_t>(candidate.pair.items[0])];
-        char& second = used[static_cast<std::size_t>(candidate.pair.items[1])];
+        const int from = candidate.pair.items[0];
+        const int to = candidate.pair.items[1];
+        choices.insert({from, to});
+        char& first = used[static_cast<std::size_t>(from)];
+        char& second = used[static_cast<std::size_t>(to)];
         if (first || second) continue;
         first = second = 1;
         pairs.push_back(std::move(candidate.pair));
     }
     std::ranges::sort(pairs, {}, [](const Chain& pair) { return pair.items.front(); });
+    ambiguity = static_cast<double>(choices.size()) / std::max(1.0, static_cast<double>(pairs.size()));
     return pairs;
 }
 
@@ -127,8 +134,9 @@ std::vector<Chain> linear_of_equal_start(const SearchState& state, GridCache& gr
     return chains;
 }
 
-std::vector<Chain> chains_of(const SearchState& state, GridCache& grids, const Hypothesis& hypothesis, Similarity& step) {
-    if (hypothesis.kind == RuleKind::group) return group_pairs(state, grids, hypothesis, step);
+std::vector<Chain> chains_of(const SearchState& state, GridCache& grids, const Hypothesis& hypothesis, Similarity& step,
+                             double& ambiguity) {
+    if (hypothesis.kind == RuleKind::group) return group_pairs(state, grids, hypothesis, step, ambiguity);
     if (hypothesis.kind == RuleKind::linear) {
         return claimed(state.rules, linear_of_equal_start(state, grids, hypothesis, step));
     }
@@ -216,14 +224,15 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
                     std::size_t rivals) {
     Evaluation evaluation;
     evaluation.step = hypothesis.step;
-    evaluation.chains = chains_of(state, grids, hypothesis, evaluation.step);
+    evaluation.chains = chains_of(state, grids, hypothesis, evaluation.step, evaluation.ambiguity);
     evaluation.gain = evaluation.score = -1;
     if (evaluation.chains.empty()) return evaluation;
     if (hypothesis.kind != RuleKind::linear) {
         // Refine the step on its chains and extract again; keep the better of both.
         Similarity refined = mean_step(evaluation.chains);
         if (hypothesis.directed && hypothesis.kind == RuleKind::group) refined.translation = {0, abs(refined.translation)};
-        std::vector<Chain> again = chains_of(state, grids, hypothesis, refined);
+        double again_ambiguity = 1;
+        std::vector<Chain> again = chains_of(state, grids, hypothesis, refined, again_ambiguity);
         const auto links = [](const std::vector<Chain>& chains) {
             std::ptrdiff_t count = 0;
             for (const Chain& chain : chains) count += static_cast<std::ptrdiff_t>(chain.items.size()) - 1;
@@ -232,6 +241,7 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
         if (links(again) >= links(evaluation.chains)) {
             evaluation.chains = std::move(again);
             evaluation.step = refined;
+            evaluation.ambiguity = again_ambiguity;
         }
     }
     const bool repeats = hypothesis.kind != RuleKind::group;
@@ -261,6 +271,8 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
     const double future = options.future * item_bits * (repeats ? sum.repeats : sum.pairs - 1);
     evaluation.score = w.count * (sum.pairs * item_bits + future) - w.length * use_bits - 2 * w.nearness * sum.gap_bits -
                        w.similarity * sum.residual_bits - rule_bits;
+    // A partner that could as well be another one is no partner: rows and rings of each part come first.
+    evaluation.score -= ambiguity_price * (evaluation.ambiguity - 1) * sum.pairs * item_bits;
     return evaluation;
 }
 

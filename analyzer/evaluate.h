@@ -37,6 +37,7 @@ struct Evaluation {
     double gain = 0;            ///< bits saved, all weights neutral: only > 0 is ever accepted
     double score = 0;           ///< weighted, with the hope for the next level: decides the order
     int known_rule = -1;        ///< a rule that says the same already
+    double ambiguity = 1;       ///< of a group: places where its second part could be found, for each that was used
 };
 
 Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis& hypothesis, const SearchOptions& options,

@@ -114,8 +114,14 @@ class Writer {
     }
 
     /// "[" move, module "]" for a part at a pose in the frame of a turtle at scale `scale`.
-    void append_placed(std::vector<ModuleTemplate>& modules, const Similarity& pose, int part, double scale, bool brackets) {
+    void append_placed(std::vector<ModuleTemplate>& modules, const Similarity& wanted, int part, double scale, bool brackets) {
         std::vector<ModuleTemplate> placed;
+        Similarity pose = wanted;
+        if (rules_.parts[static_cast<std::size_t>(part)].symmetry.continuous) {  // any angle draws the same
+            pose.linear = {scale_of(pose), 0};
+            pose.mirrored = false;
+            if (abs(pose.translation) > 0) pose.linear = pose.linear * (pose.translation / abs(pose.translation)) * Complex{0, -1};
+        }
         append_move(placed, pose, move_slack(scale, abs(pose.translation), extent(part) * scale_of(pose), 1));
         placed.push_back(module(part));
         if (brackets) placed = bracketed(std::move(placed));
