@@ -9,7 +9,8 @@ namespace {
 
 // Gauss-Legendre rule of 8 points on [-1, 1]: the positive nodes with their weights; the others are mirror images.
 constexpr std::array<double, 4> gauss_nodes{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
-constexpr std::array<double, 4> gauss_weights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+constexpr std::array<double, 4> gauss_weights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                              0.1012285362903763};
 
 // Halving ends here: a part this small adds nothing that a double of the whole length could hold.
 constexpr int deepest_halving = 26;
@@ -98,8 +99,8 @@ double arc_length(const CubicBezier& curve) {
 std::vector<Point> flattened(const CubicBezier& curve, double deviation) {
     assert(deviation > 0);
     // Wang's bound: n chords of a cubic deviate by at most 6/8 of its largest second difference over n^2.
-    const double bend = std::max(abs(curve.from - 2 * curve.control1 + curve.control2),
-                                 abs(curve.control1 - 2 * curve.control2 + curve.to));
+    const double bend =
+        std::max(abs(curve.from - 2 * curve.control1 + curve.control2), abs(curve.control1 - 2 * curve.control2 + curve.to));
     const double wanted = std::ceil(std::sqrt(0.75 * bend / deviation));
     const int count = wanted < most_flat_pieces ? std::max(1, static_cast<int>(wanted)) : most_flat_pieces;
     std::vector<Point> points;

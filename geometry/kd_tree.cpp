@@ -1,8 +1,8 @@
 #include "geometry/kd_tree.h"
 
 #include <algorithm>
-#include <nanoflann.hpp>
 #include <limits>
+#include <nanoflann.hpp>
 #include <utility>
 
 namespace rinceau {
@@ -24,7 +24,8 @@ struct PointCloud {
     }
 };
 
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointCloud>, PointCloud, 2, std::size_t>;
+using Tree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointCloud>, PointCloud, 2, std::size_t>;
 
 }  // namespace
 

@@ -35,8 +35,8 @@ Path transformed(const Path& path, const Affine& map) {
     image.segments.reserve(path.segments.size());
     for (const Segment& segment : path.segments) {
         const Point to = apply(map, segment.to);
-        image.segments.push_back(segment.straight ? line_to(to)
-                                                  : curve_to(apply(map, segment.control1), apply(map, segment.control2), to));
+        image.segments.push_back(
+            segment.straight ? line_to(to) : curve_to(apply(map, segment.control1), apply(map, segment.control2), to));
     }
     return image;
 }

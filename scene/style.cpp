@@ -39,7 +39,8 @@ bool same_ellipse(const Linear2& m, const Linear2& n, double tolerance) {
 
 bool same_stops(const std::vector<GradientStop>& a, const std::vector<GradientStop>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const GradientStop& s, const GradientStop& t) {
-        return s.color == t.color && near(s.offset, t.offset, share_tolerance) && near(s.opacity, t.opacity, share_tolerance);
+        return s.color == t.color && near(s.offset, t.offset, share_tolerance) &&
+               near(s.opacity, t.opacity, share_tolerance);
     });
 }
 

@@ -147,7 +147,8 @@ std::optional<std::string> parse_url(std::string_view text) {
     const std::size_t close = text.find(')');
     if (close == std::string_view::npos) return std::nullopt;
     std::string_view inside = trimmed(text.substr(4, close - 4));
-    const bool quoted = inside.size() >= 2 && (inside.front() == '"' || inside.front() == '\'') && inside.back() == inside.front();
+    const bool quoted =
+        inside.size() >= 2 && (inside.front() == '"' || inside.front() == '\'') && inside.back() == inside.front();
     if (quoted) inside = trimmed(inside.substr(1, inside.size() - 2));
     return std::string(inside);
 }

@@ -33,29 +33,45 @@ bool is_nth(int position, int step, int offset) {
 bool attribute_passes(const CssCondition& condition, std::string_view value) {
     const std::string_view wanted = condition.value;
     switch (condition.test) {
-        case CssTest::attribute: return true;
-        case CssTest::attribute_is: return value == wanted;
-        case CssTest::attribute_word: return has_word(value, wanted);
+        case CssTest::attribute:
+            return true;
+        case CssTest::attribute_is:
+            return value == wanted;
+        case CssTest::attribute_word:
+            return has_word(value, wanted);
         case CssTest::attribute_dash:
             return value.starts_with(wanted) && (value.size() == wanted.size() || value[wanted.size()] == '-');
-        case CssTest::attribute_starts: return !wanted.empty() && value.starts_with(wanted);
-        case CssTest::attribute_ends: return !wanted.empty() && value.ends_with(wanted);
-        case CssTest::attribute_contains: return !wanted.empty() && value.find(wanted) != std::string_view::npos;
-        default: return false;
+        case CssTest::attribute_starts:
+            return !wanted.empty() && value.starts_with(wanted);
+        case CssTest::attribute_ends:
+            return !wanted.empty() && value.ends_with(wanted);
+        case CssTest::attribute_contains:
+            return !wanted.empty() && value.find(wanted) != std::string_view::npos;
+        default:
+            return false;
     }
 }
 
 bool passes(const CssCondition& condition, const CssTree& tree, CssNode node) {
     switch (condition.test) {
-        case CssTest::type: return condition.name == "*" || tree.name(node) == condition.name;
-        case CssTest::id: return tree.attribute(node, "id") == std::string_view(condition.name);
-        case CssTest::has_class: return has_word(tree.attribute(node, "class").value_or(""), condition.name);
-        case CssTest::first_child: return !tree.previous(node);
-        case CssTest::last_child: return !tree.next(node);
-        case CssTest::only_child: return !tree.previous(node) && !tree.next(node);
-        case CssTest::nth_child: return is_nth(position_of(tree, node), condition.step, condition.offset);
-        case CssTest::root: return !tree.parent(node);
-        case CssTest::never: return false;
+        case CssTest::type:
+            return condition.name == "*" || tree.name(node) == condition.name;
+        case CssTest::id:
+            return tree.attribute(node, "id") == std::string_view(condition.name);
+        case CssTest::has_class:
+            return has_word(tree.attribute(node, "class").value_or(""), condition.name);
+        case CssTest::first_child:
+            return !tree.previous(node);
+        case CssTest::last_child:
+            return !tree.next(node);
+        case CssTest::only_child:
+            return !tree.previous(node) && !tree.next(node);
+        case CssTest::nth_child:
+            return is_nth(position_of(tree, node), condition.step, condition.offset);
+        case CssTest::root:
+            return !tree.parent(node);
+        case CssTest::never:
+            return false;
         default: {
             const std::optional<std::string_view> value = tree.attribute(node, condition.name);
             return value && attribute_passes(condition, *value);
@@ -64,9 +80,8 @@ bool passes(const CssCondition& condition, const CssTree& tree, CssNode node) {
 }
 
 bool compound_passes(const std::vector<CssCondition>& compound, const CssTree& tree, CssNode node) {
-    return std::all_of(compound.begin(), compound.end(), [&](const CssCondition& condition) {
-        return passes(condition, tree, node) != condition.negated;
-    });
+    return std::all_of(compound.begin(), compound.end(),
+                       [&](const CssCondition& condition) { return passes(condition, tree, node) != condition.negated; });
 }
 
 // Why a match failed tells which other candidates cannot succeed either; without it a search would try all combinations.
@@ -179,13 +194,15 @@ SpecifiedStyle specified_style(const StyleSheet& sheet, const CssTree& tree, Css
         return std::tie(a.important, a.specificity, a.order) < std::tie(b.important, b.specificity, b.order);
     });
     std::vector<std::pair<std::string_view, std::string_view>> all(presentation.begin(), presentation.end());
-    for (const Candidate& candidate : candidates) all.push_back({candidate.declaration->property, candidate.declaration->value});
+    for (const Candidate& candidate : candidates)
+        all.push_back({candidate.declaration->property, candidate.declaration->value});
 
     // Keep the strongest value of each property.
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     SpecifiedStyle style;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i + 1 == all.size() || all[i + 1].first != all[i].first) style.push_back({std::string(all[i].first), std::string(all[i].second)});
+        if (i + 1 == all.size() || all[i + 1].first != all[i].first)
+            style.push_back({std::string(all[i].first), std::string(all[i].second)});
     }
     return style;
 }

@@ -31,17 +31,31 @@ struct CssTree {
 
 enum class CssCombinator : std::uint8_t { descendant, child, adjacent, sibling };
 enum class CssTest : std::uint8_t {
-    type, id, has_class, attribute, attribute_is, attribute_word, attribute_dash, attribute_starts, attribute_ends,
-    attribute_contains, first_child, last_child, only_child, nth_child, root, never
+    type,
+    id,
+    has_class,
+    attribute,
+    attribute_is,
+    attribute_word,
+    attribute_dash,
+    attribute_starts,
+    attribute_ends,
+    attribute_contains,
+    first_child,
+    last_child,
+    only_child,
+    nth_child,
+    root,
+    never
 };
 
 /// One simple selector.
 struct CssCondition {
     CssTest test = CssTest::type;  ///< never: what needs a person, as :hover
-    bool negated = false;  ///< inside :not()
-    std::string name;      ///< type, id, class or attribute
-    std::string value;     ///< of the attribute
-    int step = 0, offset = 0;  ///< nth-child(step n + offset)
+    bool negated = false;          ///< inside :not()
+    std::string name;              ///< type, id, class or attribute
+    std::string value;             ///< of the attribute
+    int step = 0, offset = 0;      ///< nth-child(step n + offset)
 };
 
 /// "g > path.a": compounds from right to left; combinators[i] stands between compounds[i] and compounds[i + 1].

@@ -30,7 +30,8 @@ bool read_nth(std::string_view text, CssCondition& condition) {
         TextCursor cursor{part};
         const std::optional<double> value = read_number(cursor);
         constexpr double largest = 1e6;
-        if (!value || !cursor.at_end() || *value != static_cast<int>(std::clamp(*value, -largest, largest))) return std::nullopt;
+        if (!value || !cursor.at_end() || *value != static_cast<int>(std::clamp(*value, -largest, largest)))
+            return std::nullopt;
         return static_cast<int>(*value);
     };
     const std::size_t n = compact.find('n');
@@ -147,7 +148,7 @@ class SelectorReader {
         skip_space(cursor_);
         if (skip_token(cursor_, "]")) return condition;
         constexpr std::pair<std::string_view, CssTest> operators[] = {
-            {"=", CssTest::attribute_is},          {"~=", CssTest::attribute_word}, {"|=", CssTest::attribute_dash},
+            {"=", CssTest::attribute_is},      {"~=", CssTest::attribute_word}, {"|=", CssTest::attribute_dash},
             {"^=", CssTest::attribute_starts}, {"$=", CssTest::attribute_ends}, {"*=", CssTest::attribute_contains}};
         for (const auto& [token, test] : operators) {
             if (!skip_token(cursor_, token)) continue;
@@ -167,10 +168,15 @@ class SelectorReader {
         const std::optional<std::string> name = read_css_identifier(cursor_);
         if (!name) return std::nullopt;
         const std::string pseudo = lower_case(*name);
-        constexpr std::pair<std::string_view, CssTest> plain[] = {
-            {"first-child", CssTest::first_child}, {"last-child", CssTest::last_child}, {"only-child", CssTest::only_child},
-            {"root", CssTest::root},               {"hover", CssTest::never},           {"active", CssTest::never},
-            {"focus", CssTest::never},             {"visited", CssTest::never},         {"target", CssTest::never}};
+        constexpr std::pair<std::string_view, CssTest> plain[] = {{"first-child", CssTest::first_child},
+                                                                  {"last-child", CssTest::last_child},
+                                                                  {"only-child", CssTest::only_child},
+                                                                  {"root", CssTest::root},
+                                                                  {"hover", CssTest::never},
+                                                                  {"active", CssTest::never},
+                                                                  {"focus", CssTest::never},
+                                                                  {"visited", CssTest::never},
+                                                                  {"target", CssTest::never}};
         for (const auto& [text, test] : plain) {
             if (pseudo == text) return CssCondition{test};
         }

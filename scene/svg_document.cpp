@@ -41,7 +41,8 @@ class PartSplitter {
         }
         std::vector<std::string> texts;
         for (std::size_t i = 0; i < levels_.size(); ++i) {
-            texts.push_back(i == 0 ? std::move(levels_[i].text) : "<" + placeholder_ + ">" + levels_[i].text + "</" + placeholder_ + ">");
+            texts.push_back(i == 0 ? std::move(levels_[i].text)
+                                   : "<" + placeholder_ + ">" + levels_[i].text + "</" + placeholder_ + ">");
         }
         return texts;
     }
@@ -107,7 +108,9 @@ class PartSplitter {
 
     std::string_view name_at(std::size_t at) const {
         std::size_t end = at;
-        while (end < text_.size() && !is_svg_space(text_[end]) && text_[end] != '>' && text_[end] != '/' && text_[end] != '<') ++end;
+        while (end < text_.size() && !is_svg_space(text_[end]) && text_[end] != '>' && text_[end] != '/' &&
+               text_[end] != '<')
+            ++end;
         return std::string_view(text_).substr(at, end - at);
     }
 
@@ -196,7 +199,8 @@ std::unique_ptr<tinyxml2::XMLDocument> parse_part(const std::string& text, const
                      std::string("this is not well-formed XML (") + document->ErrorName() + ")");
 }
 
-void collect_placeholders(tinyxml2::XMLElement* element, const std::string& name, std::vector<tinyxml2::XMLElement*>& found) {
+void collect_placeholders(tinyxml2::XMLElement* element, const std::string& name,
+                          std::vector<tinyxml2::XMLElement*>& found) {
     for (; element; element = element->NextSiblingElement()) {
         if (name == element->Name()) {
             found.push_back(element);

@@ -38,7 +38,8 @@ void read_entity(TextCursor cursor, XmlEntities& entities) {
     const std::size_t end = cursor.text.find(quote, cursor.at + 1);
     if (end == std::string_view::npos) return;
     std::string value(cursor.text.substr(cursor.at + 1, end - cursor.at - 1));
-    std::replace_if(value.begin(), value.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::replace_if(
+        value.begin(), value.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     entities.emplace(name, std::move(value));
 }
 
@@ -152,7 +153,8 @@ class Expander {
         // Escapes in attribute values make a character six long at most.
         constexpr double longest_escape = 6;
         double size = longest_escape * static_cast<double>(entity->second.size());
-        for (const Reference& inner : references_in(entity->second, entities_, '\0')) size += size_of(inner.entity, depth + 1);
+        for (const Reference& inner : references_in(entity->second, entities_, '\0'))
+            size += size_of(inner.entity, depth + 1);
         sizes_[entity->first] = size;
         return size;
     }
@@ -224,7 +226,8 @@ std::string with_entities_expanded(std::string_view text, const XmlEntities& ent
     for (const Reference& reference : references) growth += expander.size_of(reference.entity, 1);
     if (growth > largest_growth || static_cast<double>(text.size()) + growth > static_cast<double>(max_bytes)) {
         throw LimitError(place, "the expansion of entities is too large (more than " +
-                                    std::to_string(std::min(static_cast<std::size_t>(largest_growth), max_bytes)) + " bytes)");
+                                    std::to_string(std::min(static_cast<std::size_t>(largest_growth), max_bytes)) +
+                                    " bytes)");
     }
 
     // Put the entities in.

@@ -33,7 +33,8 @@ using Failure = std::unique_ptr<GError, Release<g_error_free>>;
 
 [[noreturn]] void refuse(GError* error) {
     const Failure failure(error);
-    throw InputError({}, std::string("the renderer refuses the document: ") + (failure ? failure->message : "no reason given"));
+    throw InputError({},
+                     std::string("the renderer refuses the document: ") + (failure ? failure->message : "no reason given"));
 }
 
 Handle open_document(std::string_view svg) {
@@ -56,7 +57,8 @@ Size document_size(RsvgHandle* handle) {
     gboolean has_width = 0, has_height = 0, has_view_box = 0;
     RsvgLength unused_width, unused_height;
     RsvgRectangle box{};
-    rsvg_handle_get_intrinsic_dimensions(handle, &has_width, &unused_width, &has_height, &unused_height, &has_view_box, &box);
+    rsvg_handle_get_intrinsic_dimensions(handle, &has_width, &unused_width, &has_height, &unused_height, &has_view_box,
+                                         &box);
     if (has_view_box) return {box.width, box.height};
     RsvgRectangle ink{};
     GError* error = nullptr;
@@ -91,7 +93,8 @@ std::string svg_to_png(std::string_view svg, int width) {
     if (!(pixels.width <= largest_side && pixels.height <= largest_side)) {
         throw LimitError({}, "the picture would exceed 32767 pixels a side; ask for a smaller width");
     }
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(pixels.width), static_cast<int>(pixels.height)));
+    const Surface surface(
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(pixels.width), static_cast<int>(pixels.height)));
     require_success(cairo_surface_status(surface.get()));
     render(handle.get(), surface.get(), size);
     std::string png;

@@ -46,7 +46,7 @@ std::string decompressed(std::string_view bytes, const SvgSourceOptions& options
         size += block.size();
         if (size > options.max_bytes) {
             throw LimitError({options.file_name, 1, 1}, "the decompressed text is longer than the limit of " +
-                                                      std::to_string(options.max_bytes) + " bytes");
+                                                            std::to_string(options.max_bytes) + " bytes");
         }
     };
     if (!inflate_blocks(bytes, count)) {
@@ -78,8 +78,8 @@ std::string decoded(std::string_view bytes) {
     if (bytes.starts_with("\xFE\xFF"sv)) return utf8_from_utf16(bytes.substr(2), true);
     if (bytes.starts_with("<\0"sv)) return utf8_from_utf16(bytes, false);
     if (bytes.starts_with("\0<"sv)) return utf8_from_utf16(bytes, true);
-    constexpr std::array<std::string_view, 6> western{"iso-8859-1",   "iso8859-1", "latin1", "latin-1",
-                                                      "windows-1252", "cp1252"};
+    constexpr std::array<std::string_view, 6> western{"iso-8859-1", "iso8859-1",    "latin1",
+                                                      "latin-1",    "windows-1252", "cp1252"};
     const bool is_western = std::find(western.begin(), western.end(), declared_encoding(bytes)) != western.end();
     return is_western ? utf8_from_windows_1252(bytes) : valid_utf8(bytes);
 }
@@ -112,7 +112,8 @@ void require_xml(std::string_view bytes, const std::string& text, const std::str
 }
 
 void require_no_nul(std::string_view bytes, const std::string& file_name) {
-    const bool is_utf16 = bytes.size() >= 2 && (bytes[0] == '\0' || bytes[1] == '\0' || bytes[0] == '\xFF' || bytes[0] == '\xFE');
+    const bool is_utf16 =
+        bytes.size() >= 2 && (bytes[0] == '\0' || bytes[1] == '\0' || bytes[0] == '\xFF' || bytes[0] == '\xFE');
     const std::size_t nul = bytes.find('\0');
     if (is_utf16 || nul == std::string_view::npos) return;
     throw InputError(place_in_text(bytes, nul, file_name), "expected an SVG document, found a NUL byte (binary data)");

@@ -11,9 +11,9 @@
 namespace rinceau {
 
 struct SvgSourceOptions {
-    std::string file_name;                ///< for messages
-    std::size_t max_bytes = 512u << 20;   ///< of text after decompression and expansion of entities
-    int max_depth = 4096;                 ///< nesting of elements
+    std::string file_name;               ///< for messages
+    std::size_t max_bytes = 512u << 20;  ///< of text after decompression and expansion of entities
+    int max_depth = 4096;                ///< nesting of elements
 };
 
 /// UTF-8 text without byte order mark and DOCTYPE, own entities expanded (predefined ones and character references are left

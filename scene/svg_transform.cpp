@@ -167,7 +167,8 @@ ParsedTransform parse_functions(std::string_view text, const CssFrame* css) {
         const std::size_t open = cursor.text.find('(', cursor.at);
         const std::size_t close = cursor.text.find(')', cursor.at);
         if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
-            return {std::nullopt, "expected a transform function, found \"" + std::string(cursor.text.substr(cursor.at)) + "\""};
+            return {std::nullopt,
+                    "expected a transform function, found \"" + std::string(cursor.text.substr(cursor.at)) + "\""};
         }
         const std::string name = lower_case(trimmed(cursor.text.substr(cursor.at, open - cursor.at)));
         const Arguments arguments{argument_words(cursor.text.substr(open + 1, close - open - 1)), css};
@@ -177,7 +178,8 @@ ParsedTransform parse_functions(std::string_view text, const CssFrame* css) {
             return {std::nullopt, "transform function \"" + name + "\" is unknown or has faulty arguments"};
         }
         map = map * *next;
-        if (skip_comma_space(cursor) && cursor.at_end()) return {std::nullopt, "expected a transform function after the comma"};
+        if (skip_comma_space(cursor) && cursor.at_end())
+            return {std::nullopt, "expected a transform function after the comma"};
     }
     return {map, {}};
 }

@@ -9,10 +9,10 @@ namespace rinceau {
 
 /// What relative units refer to; all in px.
 struct UnitContext {
-    double width = 100, height = 100;                         ///< of the nearest viewport, in its user units: 100 %
-    double font_size = 16;                                    ///< em; ex and ch are half of it
-    double root_font_size = 16;                               ///< rem
-    double page_width = 100, page_height = 100;               ///< of the outermost viewport: vw, vh, vmin, vmax
+    double width = 100, height = 100;            ///< of the nearest viewport, in its user units: 100 %
+    double font_size = 16;                       ///< em; ex and ch are half of it
+    double root_font_size = 16;                  ///< rem
+    double page_width = 100, page_height = 100;  ///< of the outermost viewport: vw, vh, vmin, vmax
 };
 
 /// What a percentage is a share of: the viewport's width, its height, or sqrt((w^2 + h^2) / 2).

@@ -16,9 +16,10 @@ bool is_xml_character(std::uint32_t code) {
 }
 
 // Bytes 0x80 to 0x9F; the five unused ones are replaced.
-constexpr std::array<std::uint16_t, 32> windows_1252{
-    0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
-    0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+constexpr std::array<std::uint16_t, 32> windows_1252{0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                     0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
+                                                     0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                     0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
 std::uint32_t byte_at(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 
@@ -31,7 +32,10 @@ struct Decoded {
 Decoded decode(std::string_view text, std::size_t at) {
     const std::uint32_t lead = byte_at(text, at);
     if (lead < 0x80) return {lead, 1};
-    const std::size_t size = lead >= 0xF0 && lead < 0xF8 ? 4 : lead >= 0xE0 && lead < 0xF0 ? 3 : lead >= 0xC0 && lead < 0xE0 ? 2 : 0;
+    const std::size_t size = lead >= 0xF0 && lead < 0xF8   ? 4
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xC0 && lead < 0xE0 ? 2
+                                                           : 0;
     if (size == 0 || at + size > text.size()) return {};
     constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
     std::uint32_t code = lead & (0xFFu >> (size + 1));
@@ -59,6 +63,12 @@ std::string valid_utf8(std::string_view text) {
     std::string result;
     result.reserve(text.size());
     for (std::size_t at = 0; at < text.size();) {
+        // Most of a drawing is plain ASCII: take it in one piece.
+        std::size_t plain_end = at;
+        while (plain_end < text.size() && byte_at(text, plain_end) >= ' ' && byte_at(text, plain_end) < 0x80) ++plain_end;
+        result += text.substr(at, plain_end - at);
+        at = plain_end;
+        if (at == text.size()) break;
         const Decoded decoded = decode(text, at);
         // A fault decodes as the replacement character, whatever the bytes.
         if (decoded.code == replacement || !is_xml_character(decoded.code)) {
@@ -73,7 +83,8 @@ std::string valid_utf8(std::string_view text) {
 
 std::string utf8_from_utf16(std::string_view bytes, bool big_endian) {
     const auto unit = [&](std::size_t at) {
-        return big_endian ? byte_at(bytes, at) << 8 | byte_at(bytes, at + 1) : byte_at(bytes, at + 1) << 8 | byte_at(bytes, at);
+        return big_endian ? byte_at(bytes, at) << 8 | byte_at(bytes, at + 1)
+                          : byte_at(bytes, at + 1) << 8 | byte_at(bytes, at);
     };
     std::string result;
     result.reserve(bytes.size());

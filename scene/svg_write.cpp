@@ -56,11 +56,20 @@ std::string xml_escaped(const std::string& text) {
     std::string escaped;
     for (const char c : text) {
         switch (c) {
-            case '&': escaped += "&amp;"; break;
-            case '<': escaped += "&lt;"; break;
-            case '>': escaped += "&gt;"; break;
-            case '"': escaped += "&quot;"; break;
-            default: escaped += c;
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            case '"':
+                escaped += "&quot;";
+                break;
+            default:
+                escaped += c;
         }
     }
     return escaped;
@@ -81,7 +90,8 @@ std::string svg_root_tag(const Box& viewport, bool sized) {
         const std::string wide = svg_number(width(viewport));
         const std::string high = svg_number(height(viewport));
         tag += attribute("width", wide) + attribute("height", high);
-        tag += attribute("viewBox", svg_number(viewport.low.x) + " " + svg_number(-viewport.high.y) + " " + wide + " " + high);
+        tag +=
+            attribute("viewBox", svg_number(viewport.low.x) + " " + svg_number(-viewport.high.y) + " " + wide + " " + high);
     }
     return tag + ">";
 }

@@ -55,7 +55,8 @@ std::string gradient_text(const Gradient& gradient, const std::string& id) {
     add(text, "id", id);
     add(text, "gradientUnits", "userSpaceOnUse");
     if (linear) {
-        for (const auto& [name, value] : {std::pair("x1", "0"), {"y1", "0"}, {"x2", "1"}, {"y2", "0"}}) add(text, name, value);
+        for (const auto& [name, value] : {std::pair("x1", "0"), {"y1", "0"}, {"x2", "1"}, {"y2", "0"}})
+            add(text, name, value);
     } else {
         for (const auto& [name, value] : {std::pair("cx", "0"), {"cy", "0"}, {"r", "1"}}) add(text, name, value);
         add_unless(text, "fx", gradient.focus.x, 0);
@@ -94,7 +95,8 @@ void add_stroke(SvgStyleText& text, const Stroke& stroke, const std::string& gra
     add_unless(attributes, "stroke-opacity", stroke.opacity, 1);
     add_unless(attributes, "stroke-width", stroke.width, 1);
     if (stroke.cap != LineCap::butt) add(attributes, "stroke-linecap", stroke.cap == LineCap::round ? "round" : "square");
-    if (stroke.join != LineJoin::miter) add(attributes, "stroke-linejoin", stroke.join == LineJoin::round ? "round" : "bevel");
+    if (stroke.join != LineJoin::miter)
+        add(attributes, "stroke-linejoin", stroke.join == LineJoin::round ? "round" : "bevel");
     add_unless(attributes, "stroke-miterlimit", stroke.miter_limit, 4);
     if (stroke.dashes.empty()) return;
     std::string dashes;

@@ -52,8 +52,8 @@ TEST_CASE("the crossing of two segments lies on both") {
     for (int i = 0; i < 200; ++i) {
         const auto point = [&] { return Point{random.uniform(-1, 1), random.uniform(-1, 1)}; };
         const Point a1 = point(), a2 = point(), b1 = point(), b2 = point();
-        const bool apart = cross(a2 - a1, b1 - a1) * cross(a2 - a1, b2 - a1) > 0 ||
-                           cross(b2 - b1, a1 - b1) * cross(b2 - b1, a2 - b1) > 0;
+        const bool apart =
+            cross(a2 - a1, b1 - a1) * cross(a2 - a1, b2 - a1) > 0 || cross(b2 - b1, a1 - b1) * cross(b2 - b1, a2 - b1) > 0;
         const std::optional<SegmentCrossing> crossing = segment_crossing(a1, a2, b1, b2);
         CHECK(crossing.has_value() == !apart);
         if (!crossing) continue;

@@ -66,16 +66,46 @@ TEST_CASE("each kind of selector matches what it names and nothing else") {
     Node* first = tree.add(group, "rect", {{"data-a", "one two"}, {"lang", "en-GB"}});
     Node* second = tree.add(group, "circle", {{"class", "red"}, {"id", "7up"}});
     Node* third = tree.add(group, "rect");
-    struct Case { const char* selector; std::vector<const Node*> matched; };
+    struct Case {
+        const char* selector;
+        std::vector<const Node*> matched;
+    };
     const Case cases[] = {
-        {"*", {root, group, first, second, third}}, {"rect", {first, third}}, {".k", {group}}, {".wide.k", {group}}, {".wid", {}},
-        {"#g1", {group}}, {"#7up", {second}}, {"g#g1.k", {group}}, {"svg rect", {first, third}}, {"svg > rect", {}},
-        {"svg>g>rect", {first, third}}, {"rect + circle", {second}}, {"rect ~ rect", {third}}, {"circle ~ rect", {third}},
-        {"circle + circle", {}}, {"[data-a]", {first}}, {"[data-a='one two']", {first}}, {"[data-a~=two]", {first}}, {"[data-a~=tw]", {}},
-        {"[lang|=en]", {first}}, {"[lang^=\"en-\"]", {first}}, {"[lang$=GB]", {first}}, {"[lang*=n-G]", {first}}, {":root", {root}},
-        {"rect:first-child", {first}}, {"rect:last-child", {third}}, {"g > :nth-child(2)", {second}}, {"g > :nth-child(odd)", {first, third}},
-        {"g > :nth-child( -n + 2 )", {first, second}}, {"rect:not(:first-child)", {third}}, {"g > :not(.red)", {first, third}},
-        {"rect:hover", {}}, {"svg|rect", {first, third}}, {"g:only-child", {group}}, {"svg g rect", {first, third}},
+        {"*", {root, group, first, second, third}},
+        {"rect", {first, third}},
+        {".k", {group}},
+        {".wide.k", {group}},
+        {".wid", {}},
+        {"#g1", {group}},
+        {"#7up", {second}},
+        {"g#g1.k", {group}},
+        {"svg rect", {first, third}},
+        {"svg > rect", {}},
+        {"svg>g>rect", {first, third}},
+        {"rect + circle", {second}},
+        {"rect ~ rect", {third}},
+        {"circle ~ rect", {third}},
+        {"circle + circle", {}},
+        {"[data-a]", {first}},
+        {"[data-a='one two']", {first}},
+        {"[data-a~=two]", {first}},
+        {"[data-a~=tw]", {}},
+        {"[lang|=en]", {first}},
+        {"[lang^=\"en-\"]", {first}},
+        {"[lang$=GB]", {first}},
+        {"[lang*=n-G]", {first}},
+        {":root", {root}},
+        {"rect:first-child", {first}},
+        {"rect:last-child", {third}},
+        {"g > :nth-child(2)", {second}},
+        {"g > :nth-child(odd)", {first, third}},
+        {"g > :nth-child( -n + 2 )", {first, second}},
+        {"rect:not(:first-child)", {third}},
+        {"g > :not(.red)", {first, third}},
+        {"rect:hover", {}},
+        {"svg|rect", {first, third}},
+        {"g:only-child", {group}},
+        {"svg g rect", {first, third}},
     };
     for (const Case& c : cases) {
         const StyleSheet sheet = sheet_of(std::string(c.selector) + "{fill:x}");
@@ -119,13 +149,15 @@ TEST_CASE("comments, marks, at-rules and media are understood, faulty rules are 
     CHECK(fill_of("rect{fill:yes} @media print{rect{fill:no}}", rect) == "yes");
     CHECK(fill_of("g, rect , path{fill:yes}", rect) == "yes");
     CHECK(fill_of("rect{a:url(data:x;y);fill:yes", rect) == "yes");
-    const StyleSheet sheet = sheet_of("rect:frob(2){fill:no} rect, ::before{fill:no} rect{fill:yes} rect:frob(2){fill:no} @import 'x';");
+    const StyleSheet sheet =
+        sheet_of("rect:frob(2){fill:no} rect, ::before{fill:no} rect{fill:yes} rect:frob(2){fill:no} @import 'x';");
     CHECK(sheet.rules.size() == 1);
     CHECK(sheet.faults.size() == 3);
 }
 
 TEST_CASE("style sheets of any bytes are read to their end") {
-    for (const char* text : {"{", "}", "}}}{{{", "@", "@media", "@media{", "a{b:c", "a[b", "a[b='", ":not(", "\\", "a{\\", "/*", "a{b:'c}", ",{}", "a:nth-child(n n){}"}) {
+    for (const char* text : {"{", "}", "}}}{{{", "@", "@media", "@media{", "a{b:c", "a[b", "a[b='", ":not(", "\\", "a{\\",
+                             "/*", "a{b:'c}", ",{}", "a:nth-child(n n){}"}) {
         CAPTURE(text);
         CHECK(sheet_of(text).rules.size() <= 1);
     }
@@ -138,7 +170,8 @@ TEST_CASE("a selector of many steps on a deep tree is decided quickly") {
     Tree tree;
     Node* node = tree.add(nullptr, "g");
     for (int i = 0; i < 3000; ++i) node = tree.add(node, "g");
-    const StyleSheet sheet = sheet_of("x g g g g g g g g g g g g g g g g g g g g{fill:no} g g > g g g > g g g g g g g g{fill:yes}");
+    const StyleSheet sheet =
+        sheet_of("x g g g g g g g g g g g g g g g g g g g g{fill:no} g g > g g g > g g g g g g g g{fill:yes}");
     const auto start = std::chrono::steady_clock::now();
     CHECK_FALSE(matches(sheet.rules[0].selector, access(), node));
     CHECK(matches(sheet.rules[1].selector, access(), node));

@@ -87,9 +87,13 @@ TEST_CASE("an arc keeps to its turned ellipse, on the side that its flags say") 
     for (const int large : {0, 1}) {
         for (const int sweep : {0, 1}) {
             const Point from{10, 0}, to{16, 5};
-            const std::vector<Path> arc = paths_of("M10 0A9 4 30 " + std::to_string(large) + " " + std::to_string(sweep) + " 16 5");
+            const std::vector<Path> arc =
+                paths_of("M10 0A9 4 30 " + std::to_string(large) + " " + std::to_string(sweep) + " 16 5");
             // Two points of the arc and the radii give the centre; all other points must lie on the same ellipse.
-            const auto unit = [&](Point p) { const Point q = conj(polar(1, turn)) * p; return Point{q.x / 9, q.y / 4}; };
+            const auto unit = [&](Point p) {
+                const Point q = conj(polar(1, turn)) * p;
+                return Point{q.x / 9, q.y / 4};
+            };
             const Point a = unit(from), b = unit(to), middle = 0.5 * (a + b);
             const double away = std::sqrt(1 - norm(0.5 * (b - a)));
             const Point side = Point{-(b - a).y, (b - a).x} / abs(b - a);
@@ -135,13 +139,27 @@ TEST_CASE("after closing, drawing goes on from the start of the closed sub-path"
 }
 
 TEST_CASE("everything before a fault is kept and the fault is located") {
-    struct Case { const char* text; std::size_t fault_at; std::size_t segments; };
+    struct Case {
+        const char* text;
+        std::size_t fault_at;
+        std::size_t segments;
+    };
     const Case cases[] = {
-        {"M10 10L20 10 20 20 X 30 30", 19, 2}, {"M30 10h10v10z garbage", 14, 2}, {"L100 100 200 100z", 0, 0},
-        {"M0 0L1 1,,2 2", 8, 1},               {"M0 0L1 1 2", 10, 1},            {"M0 0L1 1,", 8, 1},
-        {"M0 0L1 1a5 5 0 2 0 1 1", 15, 1},     {"M0 0L1 1L1e16 0", 9, 1},        {"M0 0L1 1L1e400 0", 9, 1},
-        {"M0 0L1 1LNaN 0", 9, 1},              {"M0 0L1 1L#", 9, 1},             {"10 10", 0, 0},
-        {"M0 0L1 1C1 1 2 2", 16, 1},           {"M0 0L1 1e", 8, 1},              {"M0 0l9e14 0l2e14 0", 12, 1},
+        {"M10 10L20 10 20 20 X 30 30", 19, 2},
+        {"M30 10h10v10z garbage", 14, 2},
+        {"L100 100 200 100z", 0, 0},
+        {"M0 0L1 1,,2 2", 8, 1},
+        {"M0 0L1 1 2", 10, 1},
+        {"M0 0L1 1,", 8, 1},
+        {"M0 0L1 1a5 5 0 2 0 1 1", 15, 1},
+        {"M0 0L1 1L1e16 0", 9, 1},
+        {"M0 0L1 1L1e400 0", 9, 1},
+        {"M0 0L1 1LNaN 0", 9, 1},
+        {"M0 0L1 1L#", 9, 1},
+        {"10 10", 0, 0},
+        {"M0 0L1 1C1 1 2 2", 16, 1},
+        {"M0 0L1 1e", 8, 1},
+        {"M0 0l9e14 0l2e14 0", 12, 1},
     };
     for (const Case& c : cases) {
         CAPTURE(c.text);

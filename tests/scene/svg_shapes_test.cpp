@@ -6,7 +6,8 @@
 using namespace rinceau;
 
 TEST_CASE("a rectangle's radii follow each other and are clamped to half the sides") {
-    CHECK(rectangle({10, 20, 30, 40}) == std::vector<Path>{{{10, 20}, {line_to({40, 20}), line_to({40, 60}), line_to({10, 60})}, true}});
+    CHECK(rectangle({10, 20, 30, 40}) ==
+          std::vector<Path>{{{10, 20}, {line_to({40, 20}), line_to({40, 60}), line_to({10, 60})}, true}});
     const RectangleShape one_radius{0, 0, 20, 10, 5.0, std::nullopt};
     const RectangleShape both_radii{0, 0, 20, 10, 5.0, 5.0};
     CHECK(rectangle(one_radius) == rectangle(both_radii));

@@ -51,22 +51,29 @@ TEST_CASE("one drawing in every encoding gives one text") {
 }
 
 TEST_CASE("what is no SVG is refused with its place") {
-    const std::pair<std::string, const char*> cases[] = {{"", "empty"}, {" \n ", "empty"}, {"\x89PNG\r\n\x1A\n"s, "PNG"},
-                                                         {"hello <svg/>", "\"<\""}, {"<svg>\n\0</svg>"s, ":2:1: expected"},
-                                                         {gzip("<svg/>").substr(0, 12), "gzip"}, {"<!DOCTYPE svg [", "DOCTYPE"}};
+    const std::pair<std::string, const char*> cases[] = {{"", "empty"},
+                                                         {" \n ", "empty"},
+                                                         {"\x89PNG\r\n\x1A\n"s, "PNG"},
+                                                         {"hello <svg/>", "\"<\""},
+                                                         {"<svg>\n\0</svg>"s, ":2:1: expected"},
+                                                         {gzip("<svg/>").substr(0, 12), "gzip"},
+                                                         {"<!DOCTYPE svg [", "DOCTYPE"}};
     for (const auto& [bytes, part] : cases) {
         CAPTURE(part);
-        CHECK_THROWS_WITH(svg_source_text(bytes, {"a.svg"}), Catch::Contains(part) && Catch::StartsWith("a.svg:1:") || Catch::Contains(":2:1"));
+        CHECK_THROWS_WITH(svg_source_text(bytes, {"a.svg"}),
+                          Catch::Contains(part) && Catch::StartsWith("a.svg:1:") || Catch::Contains(":2:1"));
     }
 }
 
 TEST_CASE("entities are expanded in values and in text, within each other, and lines stay") {
     const std::string text =
         "<?xml version=\"1.0\"?>\n<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"x.dtd\" [\n"
-        "<!-- don't --> <!ENTITY a \"M0 0&b;\">\n <!ENTITY b 'h&#49;'> <!ENTITY % p 'x'> <!ENTITY ext SYSTEM \"file:///etc/passwd\">\n"
+        "<!-- don't --> <!ENTITY a \"M0 0&b;\">\n <!ENTITY b 'h&#49;'> <!ENTITY % p 'x'> <!ENTITY ext SYSTEM "
+        "\"file:///etc/passwd\">\n"
         "<!ENTITY q '\"<'> ]>\n<svg d=\"&a; &q;\" e='&amp;&ext;&unknown;'>&b;<![CDATA[&b;]]><!-- &b; --></svg>";
     CHECK(svg_source_text(text) ==
-          "<?xml version=\"1.0\"?>\n\n\n\n\n<svg d=\"M0 0h&#49; &quot;&lt;\" e='&amp;&ext;&unknown;'>h&#49;<![CDATA[&b;]]><!-- &b; --></svg>");
+          "<?xml version=\"1.0\"?>\n\n\n\n\n<svg d=\"M0 0h&#49; &quot;&lt;\" "
+          "e='&amp;&ext;&unknown;'>h&#49;<![CDATA[&b;]]><!-- &b; --></svg>");
 }
 
 TEST_CASE("bombs are refused at once") {

@@ -10,8 +10,9 @@
 using namespace rinceau;
 
 TEST_CASE("numbers are written in the shortest form that reads back the same") {
-    const std::pair<double, const char*> cases[] = {{0.1, "0.1"}, {-0.0, "0"}, {1.0 / 3, "0.3333333333333333"}, {1e21, "1e+21"},
-                                                    {100, "100"}, {-2.5, "-2.5"}, {1e-9, "1e-09"}};
+    const std::pair<double, const char*> cases[] = {{0.1, "0.1"},    {-0.0, "0"},  {1.0 / 3, "0.3333333333333333"},
+                                                    {1e21, "1e+21"}, {100, "100"}, {-2.5, "-2.5"},
+                                                    {1e-9, "1e-09"}};
     for (const auto& [value, text] : cases) {
         CHECK(svg_number(value) == text);
         CHECK(parse_number(text) == value);
@@ -40,16 +41,18 @@ TEST_CASE("every unit is what CSS says at 96 px an inch") {
     context.root_font_size = 10;
     context.page_width = 1000;
     context.page_height = 500;
-    const std::pair<const char*, double> cases[] = {{"96", 96}, {"96px", 96}, {"1in", 96}, {"72pt", 96}, {"6pc", 96}, {"2.54cm", 96},
-                                                    {"25.4mm", 96}, {"101.6Q", 96}, {"2em", 40}, {"2ex", 20}, {"3rem", 30}, {"10%", 30},
-                                                    {"1vw", 10}, {"1vh", 5}, {"1E1PX", 10}, {" -3mm ", -3 * 96 / 25.4}};
+    const std::pair<const char*, double> cases[] = {{"96", 96},  {"96px", 96},   {"1in", 96},    {"72pt", 96},
+                                                    {"6pc", 96}, {"2.54cm", 96}, {"25.4mm", 96}, {"101.6Q", 96},
+                                                    {"2em", 40}, {"2ex", 20},    {"3rem", 30},   {"10%", 30},
+                                                    {"1vw", 10}, {"1vh", 5},     {"1E1PX", 10},  {" -3mm ", -3 * 96 / 25.4}};
     for (const auto& [text, px] : cases) {
         CAPTURE(text);
         CHECK(parse_length(text, context, LengthAxis::x).value() == Approx(px).epsilon(1e-14));
     }
     CHECK(parse_length("50%", context, LengthAxis::y) == 200.0);
     CHECK(parse_length("100%", context, LengthAxis::diagonal).value() == Approx(std::sqrt((9e4 + 16e4) / 2)));
-    for (const char* faulty : {"auto", "3 px", "3foo", "px", "", "1e308in"}) CHECK_FALSE(parse_length(faulty, context, LengthAxis::x));
+    for (const char* faulty : {"auto", "3 px", "3foo", "px", "", "1e308in"})
+        CHECK_FALSE(parse_length(faulty, context, LengthAxis::x));
     CHECK(parse_lengths("1, 2mm 10%", context, LengthAxis::x).value().size() == 3);
     CHECK_FALSE(parse_lengths("1, x", context, LengthAxis::x));
     CHECK(parse_font_size("larger", context) == Approx(24));
@@ -66,9 +69,10 @@ TEST_CASE("opacities are numbers or percentages between 0 and 1") {
 
 TEST_CASE("all ways of writing a colour give the same colour") {
     const ParsedColor teal{{0, 128, 128}};
-    for (const char* text : {"teal", "TEAL", "#008080", "#008080ff", "rgb(0,128,128)", "rgb( 0 128 128 )", "rgba(0, 128, 128, 1)",
-                             "rgb(0 128 128 / 100%)", "rgb(0%, 50.1%, 50.1%)", "hsl(180, 100%, 25.1%)", "hsl(0.5turn 100% 25.1%)",
-                             "hsl(-180deg 100% 25.1%)", " #008080 icc-color(x, 1) "}) {
+    for (const char* text :
+         {"teal", "TEAL", "#008080", "#008080ff", "rgb(0,128,128)", "rgb( 0 128 128 )", "rgba(0, 128, 128, 1)",
+          "rgb(0 128 128 / 100%)", "rgb(0%, 50.1%, 50.1%)", "hsl(180, 100%, 25.1%)", "hsl(0.5turn 100% 25.1%)",
+          "hsl(-180deg 100% 25.1%)", " #008080 icc-color(x, 1) "}) {
         CAPTURE(text);
         CHECK(parse_color(text) == teal);
     }
@@ -98,7 +102,9 @@ TEST_CASE("a paint is none, a colour, or a reference with or without fallback") 
     CHECK_FALSE(parse_paint("url(#g"));
 }
 
-static Point mapped(std::string_view transform, Point p) { return apply(parse_transform_attribute(transform).map.value(), p); }
+static Point mapped(std::string_view transform, Point p) {
+    return apply(parse_transform_attribute(transform).map.value(), p);
+}
 
 TEST_CASE("a list of transforms applies the last one first") {
     CHECK(abs(mapped("translate(10,20) scale(2)", {1, 1}) - Point{12, 22}) < 1e-14);
@@ -111,8 +117,8 @@ TEST_CASE("a list of transforms applies the last one first") {
 }
 
 TEST_CASE("faulty transforms are refused with a reason") {
-    for (const char* text : {"rotate(1,2)", "translate()", "translate(1,)", "scale(1 2 3)", "foo(1)", "matrix(1 2 3)", "translate(1px)",
-                             "rotate(45deg)", "translate(1", "12", "scale(1e400)", "translate(1),"}) {
+    for (const char* text : {"rotate(1,2)", "translate()", "translate(1,)", "scale(1 2 3)", "foo(1)", "matrix(1 2 3)",
+                             "translate(1px)", "rotate(45deg)", "translate(1", "12", "scale(1e400)", "translate(1),"}) {
         CAPTURE(text);
         const ParsedTransform parsed = parse_transform_attribute(text);
         CHECK_FALSE(parsed.map);
@@ -123,7 +129,9 @@ TEST_CASE("faulty transforms are refused with a reason") {
 TEST_CASE("transforms of style sheets have units and percentages of the reference box") {
     const Box box{{10, 20}, {110, 220}};
     const UnitContext units;
-    const auto at = [&](std::string_view text, Point p) { return apply(parse_css_transform(text, units, box).map.value(), p); };
+    const auto at = [&](std::string_view text, Point p) {
+        return apply(parse_css_transform(text, units, box).map.value(), p);
+    };
     CHECK(at("translate(50%, 1in)", {0, 0}) == Point{50, 96});
     CHECK(at("translateX(5px) translateY(10%)", {0, 0}) == Point{5, 20});
     for (const char* quarter : {"rotate(90deg)", "rotate(0.25turn)", "rotate(100grad)", "rotate(1.5707963267948966rad)"}) {

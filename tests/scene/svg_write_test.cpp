@@ -38,7 +38,8 @@ TEST_CASE("path data read back are the same paths, bit by bit") {
 }
 
 TEST_CASE("transforms read back are the same maps, bit by bit") {
-    const Affine maps[] = {{}, {1, 0, 0, 1, 5, -6}, {2, 0, 0, 2, 0, 0}, {2, 0, 0, -3, 0, 0}, {0.1, 0.2, -0.3, 0.4, 5, 6}, {2, 0, 0, 2, 1, 0}};
+    const Affine maps[] = {
+        {}, {1, 0, 0, 1, 5, -6}, {2, 0, 0, 2, 0, 0}, {2, 0, 0, -3, 0, 0}, {0.1, 0.2, -0.3, 0.4, 5, 6}, {2, 0, 0, 2, 1, 0}};
     for (const Affine& map : maps) {
         const std::string text = svg_transform_text(map);
         CAPTURE(text);
