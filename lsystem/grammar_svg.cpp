@@ -27,53 +27,6 @@ struct LookUse {
     std::string id;  ///< of the definition; empty until it is written
 };
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
-/// An outline in a style whose pen is a circle, and the map that brings both to their place.
-struct PlainOutline {
-    std::vector<Path> paths;
-    Style style;
-    Affine map;
-};
-
-Paint mapped(const Paint& paint, const Affine& map) {
-    const auto* gradient = std::get_if<std::shared_ptr<const Gradient>>(&paint);
-    if (gradient == nullptr || *gradient == nullptr) return paint;
-    Gradient result = **gradient;
-    result.map = map * result.map;
-    return std::make_shared<const Gradient>(std::move(result));
-}
-
-/// SVG has round pens only: a stretched pen is a round one in a frame that is stretched back.
-PlainOutline with_round_pen(const std::vector<Path>& paths, Style style) {
-    const Linear2& pen = style.stroke.pen;
-    const Affine stretch{pen.a, pen.b, pen.c, pen.d, 0, 0};
-    if (pen == Linear2{} || !paints_stroke(style) || determinant(stretch) == 0) return {paths, std::move(style), {}};
-    const Affine back = inverse(stretch);
-    style.fill = mapped(style.fill, back);
-    style.stroke.paint = mapped(style.stroke.paint, back);
-    style.stroke.pen = {};
-    return {transformed(paths, back), std::move(style), stretch};
-}
-
 std::string transform_attribute(const Affine& map) {
     const std::string text = svg_transform_text(map);
     return text.empty() ? "" : " transform=\"" + text + '"';
@@ -179,8 +132,8 @@ class Writer {
         const Affine map = rounded(placement.pose, reach_[static_cast<std::size_t>(look.terminal)]);
         if (use.count == 1) {
             const std::string& id = terminal_of(look).id;
-            body_ +=
-                drawn(look, map, id.empty() || looks_with_id_[id] > 1 ? "" : " id=\"" + escaped(id) + '"', look_id(look));
+            body_ += drawn(look, map, id.empty() || looks_with_id_[id] > 1 ? "" : " id=\"" + xml_escaped(id) + '"',
+                           look_id(look));
             return;
         }
         if (use.id.empty()) {
@@ -201,16 +154,18 @@ class Writer {
     std::string drawn(const Look& look, const Affine& map, const std::string& id_attribute,
                       const std::string& gradient_prefix) {
         const Terminal& terminal = terminal_of(look);
-        if (!terminal.verbatim.empty()) {
-            return "<g" + id_attribute + transform_attribute(map) + '>' + terminal.verbatim + "</g>\n";
-        }
-        Style style = style_of_number(grammar_, look.style);
-        if (look.color >= 0) style = recolored(std::move(style), distinct_color(look.color));
-        const PlainOutline outline = with_round_pen(terminal.paths, std::move(style));
-        const SvgStyleText text = svg_style_text(outline.style, gradient_prefix + '-');
+        Element element{terminal.paths, style_of_number(grammar_, look.style), {}, terminal.verbatim, {}};
+        if (look.color >= 0) element.style = recolored(std::move(element.style), distinct_color(look.color));
+        const SvgElementText text = svg_element_text(element, gradient_prefix + '-');
         definitions_ += text.definitions;
-        return "<path" + id_attribute + transform_attribute(map * outline.map) + " d=\"" + svg_path_data(outline.paths) +
-               "\" " + text.attributes + "/>\n";
+        const std::string attributes = id_attribute + transform_attribute(map);
+        if (attributes.empty()) return text.body + '\n';
+        // a path takes the attributes itself unless its pen has given it a transform already
+        constexpr std::string_view path_tag = "<path";
+        if (terminal.verbatim.empty() && text.body.find(" transform=\"") == std::string::npos) {
+            return std::string(path_tag) + attributes + text.body.substr(path_tag.size()) + '\n';
+        }
+        return "<g" + attributes + '>' + text.body + "</g>\n";
     }
 };
 
