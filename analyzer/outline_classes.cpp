@@ -69,7 +69,8 @@ class Candidate {
 
 /// `from` laid onto `to`; nothing if no alignment passes the geometric check.
 std::optional<OutlineMember> match(Candidate& from, Candidate& to, const OutlineClassOptions& options) {
-    constexpr std::size_t tries = 4;  // alignments of nearly equal residual: nearly symmetric shapes
+    constexpr std::size_t tries = 4;      // alignments of nearly equal residual: nearly symmetric shapes
+    constexpr double worth_refining = 2;  // allowed distances: least squares do not gain more
     const Moments& source = from.item().descriptor.moments;
     const Moments& target = to.item().descriptor.moments;
     for (const bool mirrored : {false, true}) {
@@ -77,7 +78,7 @@ std::optional<OutlineMember> match(Candidate& from, Candidate& to, const Outline
         for (const Alignment& a : alignments(source, target, mirrored, options.moment_residual, tries)) {
             OutlineMember member{-1, to_similarity(a), a.residual};
             if (within_distance(from.fine(), member.map, to.fine(), to.item().distance)) return member;
-            if (a.residual <= exact_residual) continue;
+            if (!within_distance(from.fine(), member.map, to.fine(), worth_refining * to.item().distance)) continue;
             member.map = refined(from.fine(), member.map, to.fine());
             if (within_distance(from.fine(), member.map, to.fine(), to.item().distance)) return member;
         }
