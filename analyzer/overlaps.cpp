@@ -13,8 +13,13 @@ namespace {
 
 /// Share of the margin by which polylines may stray from their curves: two of them stay well inside it.
 constexpr double deviation_in_margins = 0.25;
+/// No margin is wider than this share of the element's own box, so that small things with small gaps stay apart.
+constexpr double margin_in_sizes = 0.05;
 /// Pairs of meeting boxes that are looked at for each pair that may be kept.
 constexpr std::size_t candidates_per_pair = 4;
+
+/// In margins; keeps the polylines of specks finite.
+constexpr double least_margin = 1e-3;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr Box everywhere{{-unbounded, -unbounded}, {unbounded, unbounded}};
@@ -38,21 +43,21 @@ std::optional<Color> only_color(const Element& element) {
 /// What the search knows of each element; outlines are made when they are first asked for.
 struct Search {
     const Scene& scene;
-    double margin;
-    std::vector<Box> boxes;  ///< grown by half the margin; empty for what paints nothing
+    std::vector<double> margins;
+    std::vector<Box> boxes;  ///< grown by the margin; empty for what paints nothing
     std::vector<std::optional<Color>> colors;
     std::vector<std::optional<PaintedOutline>> outlines;
 };
 
 Search start_search(const Scene& scene, double margin) {
-    Search search{scene, margin, {}, {}, {}};
+    Search search{scene, {}, {}, {}, {}};
     search.outlines.resize(scene.elements.size());
     for (const Element& element : scene.elements) {
-        Box box;
-        if (paints(element)) {
-            box = grown(painted_box(element), margin / 2);
-            if (!element.verbatim.empty() && is_empty(box)) box = everywhere;
-        }
+        Box box = paints(element) ? painted_box(element) : Box{};
+        const double own_margin = std::clamp(margin_in_sizes * diagonal(box), least_margin * margin, margin);
+        box = grown(box, own_margin);
+        if (!element.verbatim.empty() && is_empty(box)) box = everywhere;
+        search.margins.push_back(own_margin);
         search.boxes.push_back(box);
         search.colors.push_back(is_empty(box) ? std::nullopt : only_color(element));
     }
@@ -65,7 +70,7 @@ bool order_hidden(const Search& search, std::size_t i, std::size_t j) {
 
 const PaintedOutline& outline_of(Search& search, std::size_t i) {
     if (!search.outlines[i]) {
-        search.outlines[i] = painted_outline(search.scene.elements[i], deviation_in_margins * search.margin);
+        search.outlines[i] = painted_outline(search.scene.elements[i], deviation_in_margins * search.margins[i]);
     }
     return *search.outlines[i];
 }
@@ -75,7 +80,10 @@ bool elements_touch(Search& search, std::size_t i, std::size_t j) {
     const Element& a = search.scene.elements[i];
     const Element& b = search.scene.elements[j];
     if (!a.verbatim.empty() || !b.verbatim.empty()) return true;
-    return paint_touches(outline_of(search, i), outline_of(search, j), search.margin);
+    // Never less than what both polylines may stray: no true overlap is missed.
+    const double strays = deviation_in_margins * (search.margins[i] + search.margins[j]);
+    const double margin = std::max(std::min(search.margins[i], search.margins[j]), strays);
+    return paint_touches(outline_of(search, i), outline_of(search, j), margin);
 }
 
 OverlapPair pair_of(std::size_t i, std::size_t j) {

@@ -23,7 +23,7 @@ struct Overlaps {
 struct OverlapOptions {
     std::size_t max_pairs = 4'000'000;
     /// Regions that come this near share pixels, whose colour depends on the order; share of the diagonal. The default is
-    /// half a pixel where the drawing is a thousand pixels across.
+    /// half a pixel where the drawing is a thousand pixels across. Never more than a twentieth of the smaller element's box.
     double margin = 5e-4;
 };
 
