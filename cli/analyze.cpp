@@ -7,9 +7,11 @@
 #include "cli/exit_status.h"
 #include "cli/files.h"
 #include "cli/messages.h"
+#include "cli/number_range.h"
 #include "cli/progress_bar.h"
 #include "cli/report_json.h"
 #include "cli/rules_text.h"
+#include "cli/spaces_output.h"
 #include "cli/verbs.h"
 #include "cli/weights_option.h"
 #include "lsystem/grammar_text.h"
@@ -22,7 +24,7 @@ struct AnalyzeVerbOptions {
     std::string input;
     std::string output;
     std::string report;
-    std::string weights;
+    std::string spaces;
     bool print = false;
     AnalyzeOptions analyze;
 };
@@ -34,20 +36,26 @@ void expect_outputs(const AnalyzeVerbOptions& options) {
         throw CLI::ValidationError("--report", "expected a name that ends in .json, found '" + options.report + "'");
     if (options.print && options.output == "-")
         throw CLI::ValidationError("--print", "writes to standard output, and so does '-o -'");
-    expect_writable(options.output);
-    expect_writable(options.report);
+    const FileFormat spaces = format_of(options.spaces, FileFormat::csv);
+    if (spaces != FileFormat::csv && spaces != FileFormat::svg)
+        throw CLI::ValidationError("--spaces", "expected a name that ends in .csv or .svg, found '" + options.spaces + "'");
+    for (const std::string& name : {options.output, options.report, options.spaces}) expect_writable(name);
 }
 
 Analysis analyze_scene(const Scene& scene, const AnalyzeVerbOptions& options) {
-    AnalyzeOptions analyze_options = options.analyze;
-    if (!options.weights.empty()) analyze_options.weights = parse_weights(options.weights);
     ProgressBar bar;
-    return analyze(scene, analyze_options, bar.callback());
+    return analyze(scene, options.analyze, bar.callback());
 }
 
 void expect_passed(const Verification& check, const std::string& label) {
     if (check.passed) return;
     throw InputError({label}, "the grammar that was found does not draw the drawing, and is not written: " + check.summary);
+}
+
+void write_spaces(const Scene& scene, const AnalyzeVerbOptions& options) {
+    if (options.spaces.empty()) return;
+    const FileFormat format = format_of(options.spaces, FileFormat::csv);
+    write_output(options.spaces, spaces_output(scene, options.analyze.similarity, format));
 }
 
 void write_results(const Analysis& analysis, const ReportContext& context, const AnalyzeVerbOptions& options) {
@@ -77,6 +85,7 @@ int run_analyze(const AnalyzeVerbOptions& options) {
     expect_passed(analysis.report.check, label);
 
     context.total_seconds = seconds_since(start);
+    write_spaces(drawing.scene, options);
     write_results(analysis, context, options);
     return exit_status::done;
 }
@@ -88,17 +97,18 @@ void add_recognition_options(CLI::App& verb, AnalyzeVerbOptions& options) {
     constexpr int most_threads = 1024;
     verb.add_option("--tolerance", options.analyze.tolerance,
                     "Largest deviation of a repetition, in element sizes; 0 tries several and keeps the shortest grammar")
-        ->check(CLI::Range(0.0, largest_tolerance))
+        ->check(number_between(0, largest_tolerance))
         ->capture_default_str()
         ->type_name("T");
     verb.add_option("--similarity", options.analyze.similarity.tolerance,
                     "Largest distance of two outlines that count as equal, in their rms radii")
-        ->check(CLI::Range(least_similarity, largest_similarity))
+        ->check(number_between(least_similarity, largest_similarity))
         ->capture_default_str()
         ->type_name("S");
-    verb.add_option("--weights", options.weights,
-                    "What is preferred, 0 to 4, 1 = neutral: n many repetitions, h near elements, phi small deviations, "
-                    "l long sequences")
+    verb.add_option_function<std::string>(
+            "--weights", [&options](const std::string& text) { options.analyze.weights = parse_weights(text); },
+            "What is preferred, 0 to 4, 1 = neutral: n many repetitions, h near elements, phi small deviations, l long "
+            "sequences")
         ->type_name("n=..,h=..,phi=..,l=..");
     verb.add_option("--threads", options.analyze.threads,
                     "Threads; 0 = one per processor; the result is the same for any number")
@@ -118,6 +128,9 @@ void add_analyze(CLI::App& program, Job& job) {
         ->type_name("FILE");
     verb->add_flag("--print", options->print, "Print the rules for a person to read also when -o is given");
     verb->add_option("--report", options->report, "Where to write what was found as JSON (docs/report.schema.json)")
+        ->type_name("FILE");
+    verb->add_option("--spaces", options->spaces,
+                     "Where to write the transformation spaces: .csv a table, .svg scatter plots")
         ->type_name("FILE");
     add_recognition_options(*verb, *options);
 }

@@ -2,9 +2,6 @@
 
 #include <limits>
 
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
-
 namespace rinceau {
 
 void add_derive_options(CLI::App& verb, DeriveOptions& options) {

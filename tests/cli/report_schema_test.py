@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+
+
+def report_of(program, drawing, folder):
+    name = pathlib.Path(folder) / "report.json"
+    subprocess.run([program, "analyze", str(drawing), "--report", str(name)], check=True, capture_output=True)
+    return json.loads(name.read_text(encoding="utf-8"))
+
+
+def main(program, source):
+    source = pathlib.Path(source)
+    schema = json.loads((source / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    drawings = sorted((source / "samples").glob("*.svg"))
+    faults = [] if drawings else ["no samples"]
+    with tempfile.TemporaryDirectory() as folder:
+        for drawing in drawings:
+            report = report_of(program, drawing, folder)
+            faults += ["%s: %s" % (drawing.name, error.message) for error in validator.iter_errors(report)]
+            if report["seconds"]["total"] < report["seconds"]["import"]:
+                faults.append("%s: the import takes longer than the whole" % drawing.name)
+            if sum(t["instances"] for t in report["terminals"]) != report["elements"]:
+                faults.append("%s: the terminals' instances are not the elements" % drawing.name)
+    # The schema must be able to refuse.
+    faults += ["the schema lets '%s' be left out" % key for key in schema["required"]
+               if validator.is_valid({k: v for k, v in report.items() if k != key})]
+    sys.exit("\n".join(faults))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
