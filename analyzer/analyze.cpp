@@ -129,6 +129,7 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
         descriptions.push_back(describe(drawing, std::move(state.rules), tolerance));
     }
     std::ranges::stable_sort(descriptions, {}, [](const Description& d) { return d.bits.grammar; });
+    std::erase_if(descriptions, [&](const Description& d) { return d.bits.grammar >= flat.bits.grammar; });
     descriptions.push_back(std::move(flat));
     report_out.seconds.rules = watch.lap();
 

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <string_view>
 
 namespace rinceau {
 
 std::string terminal_name(int index) {
-    const std::string letter(1, static_cast<char>('A' + index % 26));
-    return index < 26 ? letter : letter + std::to_string(index / 26);
+    constexpr std::string_view letters = "ABCDEFGHIJKLMNOQRSTUVWXYZ";  // P is for productions
+    const auto count = static_cast<int>(letters.size());
+    const std::string letter(1, letters[static_cast<std::size_t>(index % count)]);
+    return index < count ? letter : letter + std::to_string(index / count);
 }
 
 namespace {

@@ -9,7 +9,7 @@
 
 namespace rinceau {
 
-/// "A" .. "Z", then "A1" .. "Z1", "A2" ..
+/// "A" .. "Z", then "A1" .. "Z1", "A2" .. , without P, the letter of productions.
 std::string terminal_name(int index);
 
 /// Adds a terminal for each look (in the order of `looks`, named by that order) and the styles that they need, equal ones
