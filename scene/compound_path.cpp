@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "geometry/polygon.h"
+#include "scene/painted_region.h"
 
 namespace rinceau {
 namespace {
@@ -147,6 +148,19 @@ class Splitter {
         return false;
     }
 
+    /// Fills that meet in single corners only draw the same apart; where they overlap or share an edge they do not.
+    bool only_corners_meet(std::size_t a, std::size_t b) {
+        if (!paints_fill(style_) || stroke_order_shows(style_)) return false;
+        // Doubled corners of a fine polygon: Clipper's cost grows little faster than their number.
+        if (!spend(16 * (outlines_[a].corners.size() + outlines_[b].corners.size()))) return false;
+        const double margin = 4 * deviation_;
+        const Region wide = offset_region(enclosed_region({paths_[a]}, style_.fill_rule, deviation_), margin);
+        const Region common = intersection_of(wide, enclosed_region({paths_[b]}, style_.fill_rule, deviation_));
+        // About a corner the margin cuts off some squares of itself; along an edge a strip.
+        constexpr double corner_squares = 60;
+        return area(common) <= corner_squares * margin * margin;
+    }
+
     /// Joins outlines that touch and notes which boxes hold which outlines. False if it takes too long.
     bool find_pairs() {
         std::vector<std::size_t> order(paths_.size());
@@ -162,7 +176,7 @@ class Splitter {
                 const double distance = a.reach + b.reach + 2 * deviation_;
                 if (!overlap(grown(a.box, distance), b.box)) continue;
                 bool in_time = true;
-                if (touch(a, b, distance, in_time)) clusters_.join(order[i], order[j]);
+                if (touch(a, b, distance, in_time) && !only_corners_meet(order[i], order[j])) clusters_.join(order[i], order[j]);
                 if (!in_time) return false;
                 around_[order[i]].push_back(order[j]);
                 around_[order[j]].push_back(order[i]);

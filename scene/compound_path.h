@@ -8,8 +8,8 @@
 namespace rinceau {
 
 /// The sub-paths of one element in groups that draw the same when each is painted by itself, in the order of their first
-/// sub-paths. Filled outlines stay with the holes in them; an island in a hole is a group of its own; outlines that touch or
-/// cross stay together. Strokes that touch stay together too, unless no order of painting can be seen (opaque, one colour).
+/// sub-paths. Filled outlines stay with the holes in them; an island in a hole is a group of its own; outlines that share
+/// more than a corner stay together. Strokes that touch stay together too, unless no order of painting can be seen (opaque, one colour).
 /// When in doubt, or when the answer would take too long, sub-paths stay together.
 std::vector<std::vector<Path>> connected_pieces(const std::vector<Path>& paths, const Style& style);
 

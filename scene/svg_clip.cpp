@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "scene/compound_path.h"
 #include "scene/painted_region.h"
 #include "scene/svg_number.h"
 #include "scene/svg_outline.h"
@@ -117,7 +119,8 @@ bool is_in_box_units(const SvgNode& node) {
 
 /// `user` is from the clipped element's user space to SVG px. Null if the clip cannot be told.
 std::shared_ptr<const SvgClip> read_clip(SvgReader& reader, const SvgContext& clipped, std::size_t first, const SvgNode& node) {
-    if (std::ranges::find(reader.references, &node) != reader.references.end()) return nullptr;
+    const SvgOpening opening(reader, node);
+    if (!opening.fresh) return nullptr;
     Affine map = clipped.map;
     const bool boxed = is_in_box_units(node);
     if (boxed) {
@@ -137,18 +140,17 @@ std::shared_ptr<const SvgClip> read_clip(SvgReader& reader, const SvgContext& cl
     if (!context.style.clip_path.empty()) {
         const SvgNode* outer = clip_node(reader, context.style.clip_path);
         if (outer == nullptr || is_in_box_units(*outer)) return nullptr;
-        reader.references.push_back(&node);
         SvgContext same_space = clipped;
         same_space.map = context.map;
         clip->within = read_clip(reader, same_space, first, *outer);
-        reader.references.pop_back();
         if (!clip->within) return nullptr;
     }
     reader.clips[&node] = {map, clip};
     return clip;
 }
 
-enum class ClipEffect { none, all, part };
+/// In rising order of effect: of two clips the stronger one counts.
+enum class ClipEffect { none, part, all };
 
 bool negligible(const Region& region, double tolerance) {
     return region.empty() || area(region) <= tolerance * diagonal(bounds(region));
@@ -191,30 +193,37 @@ Element cut(SvgReader& reader, const Element& element, const SvgClip& clip, cons
     return wrapped(reader, element, "clip-path=\"url(#" + prefix + "c0)\"", clip_definition(clip, prefix, 0), box, owner);
 }
 
+ClipEffect effect_of_all(const Element& element, const SvgClip& clip, double tolerance) {
+    ClipEffect effect = ClipEffect::none;
+    for (const SvgClip* part = &clip; part != nullptr && effect != ClipEffect::all; part = part->within.get())
+        effect = std::max(effect, effect_on(element, *part, tolerance));
+    return effect;
+}
+
+/// Adds what the clip leaves of an element to `kept`.
+void clip_element(SvgReader& reader, Element element, const SvgClip& clip, const SvgNode& owner, std::vector<Element>& kept) {
+    switch (effect_of_all(element, clip, reader.tolerance)) {
+        case ClipEffect::none: kept.push_back(std::move(element)); return;
+        case ClipEffect::all: reader.warnings.add("{} elements lie wholly outside their clip and are left out", owner); return;
+        case ClipEffect::part:
+            reader.warnings.add("{} elements cut by a clip are kept as they are", owner);
+            kept.push_back(cut(reader, element, clip, owner));
+    }
+}
+
 void clip_elements(SvgReader& reader, std::size_t first, const SvgClip& clip, const SvgNode& owner) {
     std::vector<Element>& elements = reader.scene.elements;
-    std::size_t kept = first;
+    std::vector<Element> kept;
     for (std::size_t i = first; i < elements.size(); ++i) {
-        ClipEffect effect = ClipEffect::none;
-        for (const SvgClip* part = &clip; part != nullptr; part = part->within.get())
-            effect = std::max(effect, effect_on(elements[i], *part, reader.tolerance), [](ClipEffect a, ClipEffect b) {
-                // Cut away by one part counts more than cut by another.
-                const auto rank = [](ClipEffect e) { return e == ClipEffect::all ? 2 : e == ClipEffect::part ? 1 : 0; };
-                return rank(a) < rank(b);
-            });
-        if (effect == ClipEffect::all) {
-            reader.warnings.add("{} elements lie wholly outside their clip and are left out", owner);
-            continue;
-        }
-        if (effect == ClipEffect::part) {
-            reader.warnings.add("{} elements cut by a clip are kept as they are", owner);
-            elements[kept++] = cut(reader, elements[i], clip, owner);
-        } else {
-            if (kept != i) elements[kept] = std::move(elements[i]);
-            ++kept;
-        }
+        // Of a compound path that is cut, most pieces may be whole.
+        const bool split = reader.options.split_compound_paths && elements[i].paths.size() > 1 &&
+                           effect_of_all(elements[i], clip, reader.tolerance) == ClipEffect::part;
+        std::vector<Element> single(1, std::move(elements[i]));
+        for (Element& piece : split ? split_compound_paths(std::move(single)) : std::move(single))
+            clip_element(reader, std::move(piece), clip, owner, kept);
     }
-    elements.resize(kept);
+    elements.resize(first);
+    std::ranges::move(kept, std::back_inserter(elements));
 }
 
 }  // namespace

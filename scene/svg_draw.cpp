@@ -154,6 +154,7 @@ void draw_node(SvgReader& reader, const SvgContext& parent, const SvgNode& node)
         reader.warnings.add("{} elements with a transform that flattens them are left out", node);
         return;
     }
+    const SvgOpening opening(reader, node);
     const SvgMark mark = mark_of(reader);
     draw_content(reader, context, kind);
     if (!is_kept_whole(kind)) finish_effects(reader, context, mark);
@@ -186,6 +187,7 @@ void draw_root(SvgReader& reader) {
     }
     reader.root_units = units;
     if (!context.style.displayed) return;
+    const SvgOpening opening(reader, root);
     const SvgMark mark = mark_of(reader);
     draw_children(reader, context);
     finish_effects(reader, context, mark);

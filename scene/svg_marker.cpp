@@ -18,7 +18,6 @@ namespace {
 struct Vertex {
     Point at;
     Point arriving, leaving;
-    bool closing = false;  ///< the end of a closed sub-path: its direction is the mean of both
 };
 
 Point first_not_zero(std::initializer_list<Point> candidates) {
@@ -29,17 +28,17 @@ Point first_not_zero(std::initializer_list<Point> candidates) {
 
 void add_vertices(const Path& path, std::vector<Vertex>& vertices) {
     const std::size_t first = vertices.size();
-    vertices.push_back({path.start, {}, {}, false});
+    vertices.push_back({path.start, {}, {}});
     const auto add = [&](const Segment& segment) {
         const Point from = vertices.back().at, to = segment.to;
         const Point chord = to - from;
         if (segment.straight) {
             vertices.back().leaving = chord;
-            vertices.push_back({to, chord, {}, false});
+            vertices.push_back({to, chord, {}});
             return;
         }
         vertices.back().leaving = first_not_zero({segment.control1 - from, segment.control2 - from, chord});
-        vertices.push_back({to, first_not_zero({to - segment.control2, to - segment.control1, chord}), {}, false});
+        vertices.push_back({to, first_not_zero({to - segment.control2, to - segment.control1, chord}), {}});
     };
     for (const Segment& segment : path.segments) add(segment);
     if (!path.closed) return;
@@ -49,7 +48,19 @@ void add_vertices(const Path& path, std::vector<Vertex>& vertices) {
         vertices.back().arriving = vertices[vertices.size() - 2].arriving;
     vertices.back().leaving = vertices[first].leaving;
     vertices[first].arriving = vertices.back().arriving;
-    vertices.back().closing = true;
+}
+
+/// `joints` are the ends of segments that are no vertices: (sub-path, segment).
+std::vector<Vertex> vertices_of(const std::vector<Path>& outline, const std::vector<std::pair<std::size_t, std::size_t>>& joints) {
+    std::vector<Vertex> all;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        std::vector<Vertex> vertices;
+        add_vertices(outline[i], vertices);
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            // Vertex v ends segment v - 1.
+            if (v == 0 || !std::ranges::binary_search(joints, std::pair(i, v - 1))) all.push_back(vertices[v]);
+    }
+    return all;
 }
 
 double vertex_angle(const Vertex& vertex) {
@@ -122,7 +133,7 @@ std::optional<Marker> find_marker(SvgReader& reader, const SvgContext& shape, co
         reader.warnings.add("{} markers refer to a marker that does not exist", *shape.node);
         return std::nullopt;
     }
-    if (std::ranges::find(reader.references, node) != reader.references.end()) {
+    if (reader.open.contains(node)) {
         reader.warnings.add("{} references that lead back to themselves are skipped", *shape.node);
         return std::nullopt;
     }
@@ -154,9 +165,8 @@ void draw_marker(SvgReader& reader, const SvgContext& shape, Marker& marker, con
     marker.context.units.height = marker.view->height;
     marker.context.context_style = &style;
     const SvgMark mark = mark_of(reader);
-    reader.references.push_back(marker.node);
+    const SvgOpening opening(reader, *marker.node);
     draw_children(reader, marker.context);
-    reader.references.pop_back();
     finish_effects(reader, marker.context, mark);
     if (!marker.view->clip.empty()) clip_to_polygon(reader, mark.elements, marker.context.map, marker.view->clip, *marker.node);
 }
@@ -164,8 +174,7 @@ void draw_marker(SvgReader& reader, const SvgContext& shape, Marker& marker, con
 }  // namespace
 
 void draw_markers(SvgReader& reader, const SvgContext& context, const std::vector<Path>& outline, const Style& style) {
-    std::vector<Vertex> vertices;
-    for (const Path& path : outline) add_vertices(path, vertices);
+    const std::vector<Vertex> vertices = vertices_of(outline, arc_joints_of(context));
     if (vertices.empty()) return;
     auto start = find_marker(reader, context, context.style.marker_start);
     auto mid = find_marker(reader, context, context.style.marker_mid);

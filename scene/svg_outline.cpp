@@ -16,15 +16,20 @@ std::optional<double> given_length(const SvgContext& context, std::string_view n
     return std::nullopt;
 }
 
-std::vector<Path> path_outline(SvgReader& reader, const SvgContext& context) {
+/// Path data from the attribute, or from CSS as path("..."); empty if there are none.
+std::string_view path_data(const SvgContext& context) {
     std::string_view data;
     if (const std::string_view* value = find_attribute(*context.node, "d")) data = *value;
-    // CSS may give the outline as path("...").
     if (const std::string* value = find_value(context.specified, "d"); value != nullptr && value->starts_with("path(")) {
         const std::size_t open = value->find_first_of("\"'"), close = value->find_last_of("\"'");
         if (open != std::string::npos && close > open) data = std::string_view(*value).substr(open + 1, close - open - 1);
     }
-    if (trimmed(data).empty() || trimmed(data) == "none") return {};
+    return trimmed(data) == "none" ? std::string_view() : trimmed(data);
+}
+
+std::vector<Path> path_outline(SvgReader& reader, const SvgContext& context) {
+    const std::string_view data = path_data(context);
+    if (data.empty()) return {};
     ParsedPath parsed = parse_path_data(data);
     if (parsed.faulty) reader.warnings.add("{} paths have faulty data (attribute d) and are drawn up to the fault", *context.node);
     return std::move(parsed.paths);
@@ -82,6 +87,11 @@ std::vector<Path> outline_of(SvgReader& reader, const SvgContext& context) {
         return line({length_of(context, "x1", LengthAxis::x, 0), length_of(context, "y1", LengthAxis::y, 0)},
                     {length_of(context, "x2", LengthAxis::x, 0), length_of(context, "y2", LengthAxis::y, 0)});
     return {};
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> arc_joints_of(const SvgContext& context) {
+    if (context.node->name != "path") return {};
+    return parse_path_data(path_data(context)).arc_joints;
 }
 
 }  // namespace rinceau

@@ -27,12 +27,17 @@ char upper(char command) { return is_relative(command) ? static_cast<char>(comma
 std::size_t argument_count(char kind) {
     switch (kind) {
         case 'H':
-        case 'V': return 1;
-        case 'C': return 6;
+        case 'V':
+            return 1;
+        case 'C':
+            return 6;
         case 'S':
-        case 'Q': return 4;
-        case 'A': return 7;
-        default: return 2;
+        case 'Q':
+            return 4;
+        case 'A':
+            return 7;
+        default:
+            return 2;
     }
 }
 
@@ -66,7 +71,10 @@ class Pen {
     }
     void arc(Point radii, double rotation, bool large, bool sweep, Point to) {
         const std::vector<Segment> segments = arc_segments(at_, radii, rotation, large, sweep, to);
-        for (const Segment& segment : segments) add(segment, 'A');
+        for (const Segment& segment : segments) {
+            if (&segment != &segments.front()) arc_joints_.emplace_back(paths_.size(), path_.segments.size() - 1);
+            add(segment, 'A');
+        }
     }
     /// The control point of a smooth curve after a curve of this kind: the last one mirrored, else the current point.
     Point smooth_control(char kind) const { return previous_ == kind ? 2 * at_ - handle_ : at_; }
@@ -74,6 +82,7 @@ class Pen {
         finish();
         return std::move(paths_);
     }
+    std::vector<std::pair<std::size_t, std::size_t>> take_arc_joints() { return std::move(arc_joints_); }
 
   private:
     void add(const Segment& segment, char kind) {
@@ -89,6 +98,7 @@ class Pen {
     }
 
     std::vector<Path> paths_;
+    std::vector<std::pair<std::size_t, std::size_t>> arc_joints_;
     Path path_;
     bool open_ = false;  // path_ has something to draw
     Point at_;
@@ -100,16 +110,35 @@ void draw(Pen& pen, char command, const Arguments& a) {
     const Point origin = is_relative(command) ? pen.at() : Point{};
     const auto point = [&](std::size_t i) { return origin + Point{a[i], a[i + 1]}; };
     switch (upper(command)) {
-        case 'M': pen.move(point(0)); break;
-        case 'L': pen.line(point(0)); break;
-        case 'H': pen.line({origin.x + a[0], pen.at().y}); break;
-        case 'V': pen.line({pen.at().x, origin.y + a[0]}); break;
-        case 'C': pen.curve(point(0), point(2), point(4)); break;
-        case 'S': pen.curve(pen.smooth_control('C'), point(0), point(2)); break;
-        case 'Q': pen.quadratic(point(0), point(2)); break;
-        case 'T': pen.quadratic(pen.smooth_control('Q'), point(0)); break;
-        case 'A': pen.arc({a[0], a[1]}, radians(a[2]), a[3] != 0, a[4] != 0, point(5)); break;
-        default: break;
+        case 'M':
+            pen.move(point(0));
+            break;
+        case 'L':
+            pen.line(point(0));
+            break;
+        case 'H':
+            pen.line({origin.x + a[0], pen.at().y});
+            break;
+        case 'V':
+            pen.line({pen.at().x, origin.y + a[0]});
+            break;
+        case 'C':
+            pen.curve(point(0), point(2), point(4));
+            break;
+        case 'S':
+            pen.curve(pen.smooth_control('C'), point(0), point(2));
+            break;
+        case 'Q':
+            pen.quadratic(point(0), point(2));
+            break;
+        case 'T':
+            pen.quadratic(pen.smooth_control('Q'), point(0));
+            break;
+        case 'A':
+            pen.arc({a[0], a[1]}, radians(a[2]), a[3] != 0, a[4] != 0, point(5));
+            break;
+        default:
+            break;
     }
 }
 
@@ -127,6 +156,7 @@ class PathReader {
         skip_space(cursor_);
         while (!cursor_.at_end() && read_command()) skip_space(cursor_);
         result_.paths = pen_.take();
+        result_.arc_joints = pen_.take_arc_joints();
         return std::move(result_);
     }
 
@@ -183,7 +213,9 @@ class PathReader {
                 continue;
             }
             cursor_.at = start;
-            fail(is_flag ? "expected a flag, 0 or 1" : starts_number(cursor_.peek()) ? "number out of range" : "expected a number");
+            fail(is_flag                         ? "expected a flag, 0 or 1"
+                 : starts_number(cursor_.peek()) ? "number out of range"
+                                                 : "expected a number");
             return std::nullopt;
         }
         return arguments;

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/path.h"
@@ -14,6 +15,8 @@ namespace rinceau {
 /// closed without segments, or open with segments of length 0.
 struct ParsedPath {
     std::vector<Path> paths;
+    /// Ends of segments inside an arc command, where the drawing has no vertex: (sub-path, segment), rising.
+    std::vector<std::pair<std::size_t, std::size_t>> arc_joints;
     bool faulty = false;
     std::size_t fault_at = 0;  ///< offset in the text
     std::string fault;         ///< what was expected there

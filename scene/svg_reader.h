@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "scene/element.h"
@@ -83,7 +84,7 @@ struct SvgReader {
     std::size_t kept_parts = 0;    ///< numbers the ids in kept parts
     std::size_t blended = 0;       ///< elements so far that blend with what is below them
 
-    std::vector<const SvgNode*> references;  ///< elements being drawn through a reference, against endless recursion
+    std::unordered_set<const SvgNode*> open;  ///< elements being drawn now, against references that lead back to them
     std::unordered_map<const SvgNode*, std::shared_ptr<const SvgGradientDefinition>> gradients;
     std::unordered_map<const SvgNode*, SvgClipInPlace> clips;  ///< the last use of each
 };
@@ -91,6 +92,24 @@ struct SvgReader {
 /// SVG px (y down) to scene space (y up).
 constexpr Affine scene_from_svg{1, 0, 0, -1, 0, 0};
 inline Affine scene_map(const SvgContext& context) { return scene_from_svg * context.map; }
+
+/// Marks an element as being drawn as long as it lives; `fresh` is false if it is being drawn already.
+class SvgOpening {
+  public:
+    SvgOpening(SvgReader& reader, const SvgNode& node) : reader_(reader), node_(node), fresh(reader.open.insert(&node).second) {}
+    ~SvgOpening() {
+        if (fresh) reader_.open.erase(&node_);
+    }
+    SvgOpening(const SvgOpening&) = delete;
+    SvgOpening& operator=(const SvgOpening&) = delete;
+
+  private:
+    SvgReader& reader_;
+    const SvgNode& node_;
+
+  public:
+    const bool fresh;
+};
 
 SourcePlace place_of(const SvgReader& reader, const SvgNode& node);
 /// "#id" to the element; null if there is none.

@@ -34,6 +34,8 @@ Linear2 pen_of(const Affine& map) {
     return {(xx + 1) / scale, xy / scale, xy / scale, (yy + 1) / scale};
 }
 
+double reach_of(const Affine& map) { return std::hypot(std::hypot(map.a, map.b), std::hypot(map.c, map.d)); }
+
 bool in_range(const std::vector<Path>& paths) {
     const auto fits = [](Point p) { return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate; };
     return std::ranges::all_of(paths, [&](const Path& path) {
@@ -151,15 +153,17 @@ void draw_shape(SvgReader& reader, const SvgContext& context) {
     if (!context.style.visible) return;
     const std::vector<Path> outline = outline_of(reader, context);
     if (outline.empty()) return;
-    if (!in_range(outline) || !in_range(transformed(outline, scene_map(context)))) {
-        reader.warnings.add("{} shapes have coordinates beyond 1e15 and are left out", *context.node);
+    const bool stroke_in_range = context.style.stroke_width * context.style.miter_limit * reach_of(scene_map(context)) <= largest_coordinate;
+    if (!in_range(outline) || !in_range(transformed(outline, scene_map(context))) || !stroke_in_range) {
+        reader.warnings.add("{} shapes have lengths or coordinates beyond 1e15 and are left out", *context.node);
         return;
     }
     const ShapeStyle shape = scene_style(reader, context, outline);
     const bool marked = takes_markers(context.node->name) && has_markers(context.style);
     if (shape.unsupported) {
         Element measured{.paths = transformed(outline, scene_map(context)), .style = shape.style};
-        measured.style.fill = measured.style.stroke.paint = Color{};
+        if (context.style.fill.kind != PaintKind::none) measured.style.fill = Color{};
+        if (context.style.stroke.kind != PaintKind::none) measured.style.stroke.paint = Color{};
         const Box box = marked ? Box{} : painted_box(measured);
         keep_verbatim(reader, context, box, "{} shapes painted with a pattern are kept as they are");
         return;

@@ -14,12 +14,6 @@ namespace {
 
 Affine translation(double x, double y) { return {1, 0, 0, 1, x, y}; }
 
-bool is_on_the_way(const SvgContext& context, const SvgNode& target) {
-    for (const SvgContext* at = &context; at != nullptr; at = at->parent)
-        if (at->node == &target) return true;
-    return false;
-}
-
 AspectRatio aspect_of(const SvgNode& node) {
     const std::string_view* text = find_attribute(node, "preserveAspectRatio");
     return text == nullptr ? AspectRatio{} : parse_aspect_ratio(*text).value_or(AspectRatio{});
@@ -54,6 +48,7 @@ double viewport_size(const SvgContext& use, const SvgContext& target, std::strin
 void draw_used_viewport(SvgReader& reader, const SvgContext& use, const SvgNode& target) {
     SvgContext context = enter(reader, use, target);
     if (!context.style.displayed) return;
+    const SvgOpening opening(reader, target);
     const SvgMark mark = mark_of(reader);
     const double width = viewport_size(use, context, "width", LengthAxis::x);
     const double height = viewport_size(use, context, "height", LengthAxis::y);
@@ -99,7 +94,7 @@ void draw_use(SvgReader& reader, SvgContext& context) {
                             *context.node);
         return;
     }
-    if (is_on_the_way(context, *target)) {
+    if (reader.open.contains(target)) {
         reader.warnings.add("{} references that lead back to themselves are skipped", *context.node);
         return;
     }
