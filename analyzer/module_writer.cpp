@@ -38,7 +38,24 @@ void append_turn(std::vector<ModuleTemplate>& modules, double angle, double slac
     if (in_degrees < 0) modules.push_back(command("-", -in_degrees));
 }
 
-void append_move(std::vector<ModuleTemplate>& modules, const Similarity& move, const MoveSlack& slack) {
+namespace {
+
+/// What a reader has to take in: digits and signs of all arguments, and the commands.
+std::size_t reading_length(const std::vector<ModuleTemplate>& modules) {
+    std::size_t length = 0;
+    for (const ModuleTemplate& module : modules) {
+        length += 2;
+        for (const Expression& argument : module.arguments) length += to_text(argument).size();
+    }
+    return length;
+}
+
+void append_scale(std::vector<ModuleTemplate>& modules, double scale, double slack) {
+    if (std::abs(scale - 1) > slack) modules.push_back(command("*", tidy(scale, slack * scale)));
+}
+
+std::vector<ModuleTemplate> polar_move(const Similarity& move, const MoveSlack& slack) {
+    std::vector<ModuleTemplate> modules;
     TurtleStep step = to_turtle_step(move, slack.length);
     double advance = tidy(step.advance, slack.length);
     if (pi - std::abs(step.turn) <= slack.turn) {
@@ -52,11 +69,36 @@ void append_move(std::vector<ModuleTemplate>& modules, const Similarity& move, c
     } else {
         step.spin = wrap_angle(step.turn + step.spin);
     }
-    if (std::abs(step.scale - 1) > slack.scale) {
-        modules.push_back(command("*", tidy(step.scale, slack.scale * step.scale)));
-    }
+    append_scale(modules, step.scale, slack.scale);
     append_turn(modules, step.spin, slack.spin);
     if (step.mirrored) modules.push_back(command("|"));
+    return modules;
+}
+
+/// Along the heading, then sideways.
+std::vector<ModuleTemplate> straight_move(const Similarity& move, const MoveSlack& slack) {
+    std::vector<ModuleTemplate> modules;
+    const TurtleStep step = to_turtle_step(move, slack.length);
+    const double ahead = tidy(move.translation.y, slack.length), right = tidy(move.translation.x, slack.length);
+    double spin = step.turn + step.spin;
+    if (ahead != 0) modules.push_back(command("f", ahead));
+    if (right != 0) {
+        append_turn(modules, -pi / 2, 0);
+        modules.push_back(command("f", right));
+        spin += pi / 2;
+    }
+    append_scale(modules, step.scale, slack.scale);
+    append_turn(modules, spin, slack.spin);
+    if (step.mirrored) modules.push_back(command("|"));
+    return modules;
+}
+
+}  // namespace
+
+void append_move(std::vector<ModuleTemplate>& modules, const Similarity& move, const MoveSlack& slack) {
+    const std::vector<ModuleTemplate> polar = polar_move(move, slack), straight = straight_move(move, slack);
+    const std::vector<ModuleTemplate>& shorter = reading_length(straight) < reading_length(polar) ? straight : polar;
+    modules.insert(modules.end(), shorter.begin(), shorter.end());
 }
 
 std::vector<ModuleTemplate> bracketed(std::vector<ModuleTemplate> modules) {

@@ -28,7 +28,8 @@ ModuleTemplate command(std::string symbol, const std::string& expression);
 /// "+(degrees)" or "-(degrees)"; nothing if the angle is within the slack of 0.
 void append_turn(std::vector<ModuleTemplate>& modules, double angle, double slack);
 
-/// +(turn) f(advance) *(scale) +(spin) | ; neutral commands are left out, and a move straight back is f(-d).
+/// +(turn) f(advance) *(scale) +(spin) | ; neutral commands are left out, and a move straight back is f(-d). Where that
+/// reads shorter, first along the heading, then to the right: f(y) -(90) f(x) *(scale) +(90 + spin) |.
 void append_move(std::vector<ModuleTemplate>& modules, const Similarity& move, const MoveSlack& slack);
 
 /// "[" modules "]"

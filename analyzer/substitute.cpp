@@ -7,6 +7,7 @@
 
 #include "analyzer/fit_step.h"
 #include "analyzer/group_frame.h"
+#include "analyzer/regauge.h"
 
 namespace rinceau {
 
@@ -116,6 +117,7 @@ void apply(SearchState& state, const Applied& applied, int known_rule, std::set<
             state.costs.emplace_back();
             part_of_count[part.count] = part_index;
         }
+        for (std::size_t k = 0; k < chain.items.size(); ++k) regauge(state.rules, chain.items[k], chain.frames[k]);
         Item item;
         item.part = part_index;
         item.pose = whole;

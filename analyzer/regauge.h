@@ -1,0 +1,12 @@
+#pragma once
+// Choosing another one of an item's symmetry-equivalent poses (ANALYZER section 3.1).
+
+#include "analyzer/rule_model.h"
+
+namespace rinceau {
+
+/// Gives the item the pose `frame`, which is its pose times one of its part's symmetries (for a continuous part any turned
+/// pose), and brings its members into the order and poses of the part's children seen from there, all the way down.
+void regauge(RuleSet& rules, int item, const Similarity& frame);
+
+}  // namespace rinceau
