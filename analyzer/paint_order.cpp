@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "analyzer/derivation_tree.h"

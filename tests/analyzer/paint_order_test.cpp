@@ -35,8 +35,7 @@ int layer_commands(const Grammar& grammar) {
     return sum;
 }
 
-/// Pairs of neighbours in derivation of which `lower_first(i, j)`, i < j, says whether i is the lower one. Elements are
-/// numbered by `element_of_leaf`, which must agree.
+/// Pairs of leaves, the lower one first, as pairs of elements; `element_of_leaf` must agree.
 Overlaps pairs_of_leaves(const std::vector<std::pair<int, int>>& lower_upper, const std::vector<int>& element_of_leaf) {
     Overlaps overlaps;
     for (const auto& [lower, upper] : lower_upper) {
