@@ -118,7 +118,7 @@ class Splitter {
   public:
     Splitter(const std::vector<Path>& paths, const Style& style)
         : paths_(paths), style_(style), size_(diagonal(bounds(paths))), deviation_(std::max(fineness * size_, 1e-300)),
-          outlines_(outlines_of(paths, style, deviation_)), clusters_(paths.size()), around_(paths.size()) {}
+          outlines_(outlines_of(paths, style, deviation_)), clusters_(paths.size()), around_(paths.size()), regions_(paths.size()), wide_(paths.size()) {}
 
     std::vector<std::vector<Path>> pieces() {
         if (!find_pairs()) return {paths_};
@@ -148,14 +148,19 @@ class Splitter {
         return false;
     }
 
+    const Region& region_of(std::size_t i) {
+        if (regions_[i].empty()) regions_[i] = enclosed_region({paths_[i]}, style_.fill_rule, deviation_);
+        return regions_[i];
+    }
+
     /// Fills that meet in single corners only draw the same apart; where they overlap or share an edge they do not.
     bool only_corners_meet(std::size_t a, std::size_t b) {
         if (!paints_fill(style_) || stroke_order_shows(style_)) return false;
         // Doubled corners of a fine polygon: Clipper's cost grows little faster than their number.
         if (!spend(16 * (outlines_[a].corners.size() + outlines_[b].corners.size()))) return false;
         const double margin = 4 * deviation_;
-        const Region wide = offset_region(enclosed_region({paths_[a]}, style_.fill_rule, deviation_), margin);
-        const Region common = intersection_of(wide, enclosed_region({paths_[b]}, style_.fill_rule, deviation_));
+        if (wide_[a].empty()) wide_[a] = offset_region(region_of(a), margin);
+        const Region common = intersection_of(wide_[a], region_of(b));
         // About a corner the margin cuts off some squares of itself; along an edge a strip.
         constexpr double corner_squares = 60;
         return area(common) <= corner_squares * margin * margin;
@@ -230,6 +235,7 @@ class Splitter {
     Clusters clusters_;
     std::vector<std::vector<std::size_t>> around_;  ///< outlines whose boxes come near
     std::vector<std::pair<std::size_t, std::size_t>> holes_;
+    std::vector<Region> regions_, wide_;  ///< what each sub-path encloses, and that grown by a margin; made when needed
     long steps_ = 0;
 };
 
