@@ -158,7 +158,8 @@ double marker_angle(const Marker& marker, const Vertex& vertex, bool at_start) {
 }
 
 void draw_marker(SvgReader& reader, const SvgContext& shape, Marker& marker, const Vertex& vertex, bool at_start, const Style& style) {
-    if (!marker.view || !marker.context.style.displayed) return;
+    // `display` does not apply to markers.
+    if (!marker.view) return;
     const double angle = marker_angle(marker, vertex, at_start), c = std::cos(angle), s = std::sin(angle);
     marker.context.map = shape.map * Affine{c, s, -s, c, vertex.at.x, vertex.at.y} * marker.view->map;
     marker.context.units.width = marker.view->width;

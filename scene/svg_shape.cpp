@@ -15,8 +15,10 @@ namespace {
 constexpr double largest_coordinate = 1e15;
 // A map whose sides differ by less than this share is even: transforms are written with six to nine digits.
 constexpr double evenness = 1e-6;
-// A square dot on a turned grid is a line this much shorter than it is wide.
-constexpr double dot_length = 1e-4;
+// Renderers draw square dots of length 0 wrongly or not at all, so that they become lines this much shorter than wide, and no
+// shorter (px) than what the fixed-point numbers of cairo, in steps of 1/256, can tell from 0.
+constexpr double dot_length = 0.002;
+constexpr double shortest_dot = 1.0 / 64;
 
 bool is_even(const Affine& map) {
     const double size = map.a * map.a + map.b * map.b + map.c * map.c + map.d * map.d;
@@ -56,17 +58,17 @@ bool encloses_area(const Path& path) {
     return count > 1 || (count == 1 && !path.segments.front().straight);
 }
 
-/// Dots without caps draw nothing; square ones are given the direction that they have in user space.
+/// Dots without caps draw nothing; square ones get the direction that they have in user space.
 std::vector<Path> with_dots_settled(std::vector<Path> outline, const Affine& map, const Style& style) {
     const bool capped = paints_stroke(style) && style.stroke.cap != LineCap::butt;
     if (!capped) std::erase_if(outline, is_dot);
     if (!paints_stroke(style)) std::erase_if(outline, [](const Path& path) { return !encloses_area(path); });
     std::vector<Path> paths = transformed(outline, map);
-    const bool turned = map.b != 0 && map.a != 0;
-    if (!capped || style.stroke.cap != LineCap::square || !turned) return paths;
-    const Point direction = Point{map.a, map.b} * (dot_length * style.stroke.width / std::hypot(map.a, map.b));
+    if (!capped || style.stroke.cap != LineCap::square) return paths;
+    const double length = std::max(dot_length * style.stroke.width, std::min(shortest_dot, 0.25 * style.stroke.width));
+    const Point half = Point{map.a, map.b} * (0.5 * length / std::hypot(map.a, map.b));
     for (Path& path : paths)
-        if (is_dot(path)) path = {path.start, {line_to(path.start + direction)}, false};
+        if (is_dot(path)) path = {path.start - half, {line_to(path.start + half)}, false};
     return paths;
 }
 

@@ -1,6 +1,9 @@
 #include "scene/svg_use.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
+#include <vector>
 
 #include "scene/svg_clip.h"
 #include "scene/svg_draw.h"
@@ -58,29 +61,41 @@ void draw_used_viewport(SvgReader& reader, const SvgContext& use, const SvgNode&
     finish_effects(reader, context, mark);
 }
 
-/// Is one of the words of the attribute a match? Nothing if there is no such attribute.
-template <typename Matches>
-bool passes_list(const SvgNode& node, std::string_view name, char separator, Matches matches) {
-    const std::string_view* value = find_attribute(node, name);
-    if (value == nullptr) return true;
-    for (std::size_t begin = 0; begin <= value->size();) {
-        const std::size_t end = std::min(value->find(separator, begin), value->size());
-        if (matches(trimmed(value->substr(begin, end - begin)))) return true;
+std::vector<std::string_view> words_of(std::string_view text, char separator) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        words.push_back(trimmed(text.substr(begin, end - begin)));
         begin = end + 1;
     }
-    return false;
+    return words;
+}
+
+/// Features of SVG 1.1 (appendix O) that a picture at rest has.
+bool is_feature_of_pictures(std::string_view feature) {
+    constexpr std::string_view prefix = "http://www.w3.org/TR/SVG11/feature#";
+    static constexpr std::string_view names[] = {
+        "SVG", "SVG-static", "SVGDOM-static", "Structure", "BasicStructure", "ContainerAttribute", "ConditionalProcessing",
+        "Image", "Style", "View", "ViewportAttribute", "Shape", "BasicText", "PaintAttribute", "BasicPaintAttribute",
+        "OpacityAttribute", "GraphicsAttribute", "BasicGraphicsAttribute", "Marker", "Gradient", "Pattern", "Clip",
+        "BasicClip", "Mask", "Filter", "BasicFilter"};
+    return feature.starts_with(prefix) && std::ranges::find(names, feature.substr(prefix.size())) != std::end(names);
+}
+
+bool is_english(std::string_view word) {
+    const std::string language = lower_case(word);
+    return language == "en" || language.starts_with("en-");
 }
 
 }  // namespace
 
 bool passes_conditions(const SvgNode& node) {
-    // No extension is supported; of features, whatever the standards name.
+    // No extension is supported.
     if (find_attribute(node, "requiredExtensions") != nullptr) return false;
-    const bool features = passes_list(node, "requiredFeatures", ' ', [](std::string_view word) { return word.starts_with("http://www.w3.org/"); });
-    return features && passes_list(node, "systemLanguage", ',', [](std::string_view word) {
-               const std::string language = lower_case(word);
-               return language == "en" || language.starts_with("en-");
-           });
+    const std::string_view* features = find_attribute(node, "requiredFeatures");
+    if (features != nullptr && !std::ranges::all_of(words_of(trimmed(*features), ' '), is_feature_of_pictures)) return false;
+    const std::string_view* languages = find_attribute(node, "systemLanguage");
+    return languages == nullptr || std::ranges::any_of(words_of(*languages, ','), is_english);
 }
 
 void draw_use(SvgReader& reader, SvgContext& context) {
