@@ -126,3 +126,19 @@ TEST_CASE("A grammar that cannot be read is refused with its place") {
     };
     for (const Refused& bad : grammars) check_refused({"render", "out.svg"}, "lsys", bad);
 }
+
+TEST_CASE("A grammar that explodes is stopped and the rule that exploded is named") {
+    const std::string terminal = "terminal A: path \"M0 0L1 1\"\n";
+    const std::vector<Refused> grammars = {
+        {"two of itself", "lsystem 1\naxiom: P(100)\nP(m) : m > 0 -> A P(m-1) P(m-1)\n" + terminal, 3,
+         ":3:1: production P "},
+        {"without an end", "lsystem 1\naxiom: Q\nQ -> A Q Q\n" + terminal, 3, ":3:1: production Q "},
+        {"a huge count", "lsystem 1\naxiom: P(1e9)\nP(m) : m > 0 -> A f(1) P(m-1)\n" + terminal, 3, ":3:1: production P "},
+        {"a division by zero", "lsystem 1\naxiom: B(0)\nB(m) -> f(1/m) A\n" + terminal, 1, ":3:9: "},
+        {"a number beyond all", "lsystem 1\naxiom: f(1e400) A\n" + terminal, 1, ":2:"},
+    };
+    for (const Refused& bad : grammars) {
+        check_refused({"render", "out.svg"}, "lsys", bad);
+        check_refused({"derive", "out.txt"}, "lsys", bad);
+    }
+}

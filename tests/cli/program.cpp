@@ -53,11 +53,12 @@ void limit_memory() {
     ::_exit(not_started);
 }
 
-int wait_for(pid_t child, Clock::time_point start, int interrupt_after_ms) {
+int wait_for(pid_t child, int interrupt_after_ms, rusage& usage) {
     constexpr std::chrono::milliseconds pause{2};
     bool interrupted = interrupt_after_ms == 0;
     int status = 0;
-    while (::waitpid(child, &status, WNOHANG) == 0) {
+    const auto start = Clock::now();
+    while (::wait4(child, &status, WNOHANG, &usage) == 0) {
         if (!interrupted && Clock::now() - start > std::chrono::milliseconds(interrupt_after_ms)) {
             ::kill(child, SIGINT);
             interrupted = true;
@@ -66,6 +67,11 @@ int wait_for(pid_t child, Clock::time_point start, int interrupt_after_ms) {
         std::this_thread::sleep_for(pause);
     }
     return status;
+}
+
+double seconds(const timeval& time) {
+    constexpr double micro = 1e-6;
+    return static_cast<double>(time.tv_sec) + micro * static_cast<double>(time.tv_usec);
 }
 
 }  // namespace
@@ -103,13 +109,13 @@ void write_file(const std::filesystem::path& name, std::string_view bytes) {
 ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramOptions& options) {
     const ScratchFolder streams;
     write_file(streams.file("in"), options.input);
-    const auto start = Clock::now();
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("cannot start a process");
     if (child == 0) become_rinceau(arguments, options, streams);
-    const int status = wait_for(child, start, options.interrupt_after_ms);
+    rusage usage{};
+    const int status = wait_for(child, options.interrupt_after_ms, usage);
     ProgramRun run;
-    run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    run.seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     if (WIFEXITED(status)) run.status = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
     if (options.output_to.empty()) run.out = read_file(streams.file("out"));
