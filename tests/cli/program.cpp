@@ -109,6 +109,7 @@ void write_file(const std::filesystem::path& name, std::string_view bytes) {
 ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramOptions& options) {
     const ScratchFolder streams;
     write_file(streams.file("in"), options.input);
+    for (const std::string stream : {"out", "err"}) write_file(streams.file(stream), "");
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("cannot start a process");
     if (child == 0) become_rinceau(arguments, options, streams);

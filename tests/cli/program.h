@@ -32,7 +32,7 @@ void write_file(const std::filesystem::path& name, std::string_view bytes);
 struct ProgramRun {
     int status = 0;      ///< exit status
     int signal = 0;      ///< that ended it, 0 = none
-    double seconds = 0;  ///< of wall time
+    double seconds = 0;  ///< of processor time, which does not depend on what else the machine does
     std::string out;     ///< standard output
     std::string err;     ///< standard error
 };
