@@ -39,6 +39,13 @@ void limit_memory() {
     ::setrlimit(RLIMIT_CORE, &no_core);
 }
 
+sigset_t interrupt_alone() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    return signals;
+}
+
 [[noreturn]] void become_rinceau(const std::vector<std::string>& arguments, const ProgramOptions& options,
                                  const ScratchFolder& streams) {
     redirect(streams.file("in"), O_RDONLY, STDIN_FILENO);
@@ -49,6 +56,10 @@ void limit_memory() {
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
     limit_memory();
+    // The test program's own handling of an interrupt must not run in the child.
+    ::signal(SIGINT, SIG_DFL);
+    const sigset_t interrupt = interrupt_alone();
+    ::sigprocmask(SIG_UNBLOCK, &interrupt, nullptr);
     ::execv(RINCEAU_PROGRAM, words.data());
     ::_exit(not_started);
 }
@@ -110,9 +121,13 @@ ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramO
     const ScratchFolder streams;
     write_file(streams.file("in"), options.input);
     for (const std::string stream : {"out", "err"}) write_file(streams.file(stream), "");
+    const sigset_t interrupt = interrupt_alone();
+    sigset_t before;
+    ::sigprocmask(SIG_BLOCK, &interrupt, &before);
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("cannot start a process");
     if (child == 0) become_rinceau(arguments, options, streams);
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
     rusage usage{};
     const int status = wait_for(child, options.interrupt_after_ms, usage);
     ProgramRun run;
