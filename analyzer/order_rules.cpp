@@ -1,9 +1,12 @@
 #include "analyzer/order_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <queue>
 #include <set>
+
+#include "analyzer/regauge.h"
 
 
 namespace rinceau {
@@ -153,9 +156,26 @@ void reorder_group(RuleSet& rules, int part_index, const std::vector<int>& order
     for (const Child& child : part.children) rule.members.push_back({child.part, to_first * child.pose});
 }
 
+/// Roots stand unmirrored and as upright as their symmetry allows.
+void settle_roots(RuleSet& rules) {
+    constexpr double clearly = 1e-6;  // radians: equivalent poses that differ by rounding only are not exchanged
+    for (const int root : root_items(rules)) {
+        const Item& item = rules.items[static_cast<std::size_t>(root)];
+        const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
+        if (part.look >= 0 || part.symmetry.continuous) continue;
+        Similarity best = item.pose;
+        const auto tilt = [](const Similarity& pose) { return std::abs(arg(pose.linear)) + (pose.mirrored ? two_pi : 0); };
+        for (const Similarity& gauge : part.symmetry.elements) {
+            if (tilt(item.pose * gauge) < tilt(best) - clearly) best = item.pose * gauge;
+        }
+        regauge(rules, root, best);
+    }
+}
+
 }  // namespace
 
 OrderedRules ordered_for_painting(RuleSet rules, const Overlaps& overlaps) {
+    settle_roots(rules);
     const std::vector<Place> places = places_of(rules);
     Votes votes = overlap_votes(rules, overlaps, places);
     add_drawing_order(rules, votes);
