@@ -25,6 +25,10 @@ struct Look {
 struct LookUse {
     int count = 0;
     std::string id;  ///< of the definition; empty until it is written
+    /// Width and dashes of a fixed stroke, in the terminal's frame, if all placements agree in them; else each <use> has its
+    /// own, which the definition inherits.
+    std::string stroke_lengths;
+    bool lengths_differ = false;
 };
 
 std::string transform_attribute(const Affine& map) {
@@ -40,7 +44,7 @@ class Writer {
     std::string write() {
         choose_prefix();
         for (const Terminal& terminal : grammar_.terminals) reach_.push_back(reach_of(terminal));
-        for (const Placement& placement : placements_) ++uses_[look_of(placement)].count;
+        for (const Placement& placement : placements_) count_use(placement);
         for (const auto& [look, use] : uses_) ++looks_with_id_[terminal_of(look).id];
         for (const Placement& placement : placements_) write_placement(placement);
         std::string text = svg_root_tag(grammar_.canvas, grammar_.sized) + '\n';
@@ -72,10 +76,29 @@ class Writer {
         while (std::ranges::any_of(grammar_.terminals, taken)) prefix_ += '-';
     }
 
-    /// How far from its origin a terminal paints.
+    void count_use(const Placement& placement) {
+        const Look look = look_of(placement);
+        LookUse& use = uses_[look];
+        const std::string lengths = stroke_lengths(look, rounded_pose(placement));
+        if (use.count > 0 && lengths != use.stroke_lengths) use.lengths_differ = true;
+        use.stroke_lengths = lengths;
+        ++use.count;
+    }
+
+    /// Of a fixed stroke, so that they are right under `map`.
+    std::string stroke_lengths(const Look& look, const Affine& map) const {
+        if (!terminal_of(look).verbatim.empty()) return {};
+        const Style style = style_of_number(grammar_, look.style);
+        if (!style.stroke.fixed || !paints_stroke(style)) return {};
+        constexpr int digits = 6;  // a millionth of a stroke's width is never seen
+        return svg_stroke_lengths(style.stroke, 1 / std::sqrt(std::abs(determinant(map))), digits);
+    }
+
+    /// How far from its origin a terminal reaches, with a stroke that follows its scale.
     double reach_of(const Terminal& terminal) const {
         const Style style = style_of_number(grammar_, terminal.style);
-        const Box box = terminal.verbatim.empty() ? painted_box({terminal.paths, style}) : terminal.verbatim_box;
+        const Box outline = style.stroke.fixed ? bounds(terminal.paths) : painted_box({terminal.paths, style});
+        const Box box = terminal.verbatim.empty() ? outline : terminal.verbatim_box;
         if (is_empty(box)) return terminal.verbatim.empty() ? 0 : std::numeric_limits<double>::infinity();
         double reach = 0;
         for (const double x : {box.low.x, box.high.x}) {
@@ -105,8 +128,9 @@ class Writer {
 
     /// The pose with its numbers rounded so that no point of the terminal moves by more than 1e-4 px, nor by more than a
     /// ten-millionth of the picture.
-    Affine rounded(const Similarity& pose, double reach) const {
-        Affine map = to_affine(pose);
+    Affine rounded_pose(const Placement& placement) const {
+        const double reach = reach_[static_cast<std::size_t>(placement.terminal)];
+        Affine map = to_affine(placement.pose);
         const double largest_move = is_empty(grammar_.canvas) ? 0 : std::min(1e-4, 1e-7 * diagonal(grammar_.canvas));
         if (!(largest_move > 0) || !std::isfinite(reach)) return map;
         // each of the two translations and of the two linear numbers in a coordinate has a quarter of the way
@@ -129,18 +153,20 @@ class Writer {
     void write_placement(const Placement& placement) {
         const Look look = look_of(placement);
         LookUse& use = uses_[look];
-        const Affine map = rounded(placement.pose, reach_[static_cast<std::size_t>(look.terminal)]);
+        const Affine map = rounded_pose(placement);
         if (use.count == 1) {
             const std::string& id = terminal_of(look).id;
-            body_ += drawn(look, map, id.empty() || looks_with_id_[id] > 1 ? "" : " id=\"" + xml_escaped(id) + '"',
-                           look_id(look));
+            const std::string id_attribute = id.empty() || looks_with_id_[id] > 1 ? "" : " id=\"" + xml_escaped(id) + '"';
+            body_ += drawn(look, map, id_attribute + use.stroke_lengths, look_id(look));
             return;
         }
         if (use.id.empty()) {
             use.id = look_id(look);
-            definitions_ += drawn(look, {}, " id=\"" + use.id + '"', use.id);
+            const std::string shared_lengths = use.lengths_differ ? "" : use.stroke_lengths;
+            definitions_ += drawn(look, {}, " id=\"" + use.id + '"' + shared_lengths, use.id);
         }
-        body_ += "<use href=\"#" + use.id + '"' + transform_attribute(map) + "/>\n";
+        const std::string own_lengths = use.lengths_differ ? stroke_lengths(look, map) : "";
+        body_ += "<use href=\"#" + use.id + '"' + transform_attribute(map) + own_lengths + "/>\n";
     }
 
     std::string look_id(const Look& look) const {
@@ -150,15 +176,15 @@ class Writer {
         return id;
     }
 
-    /// The element itself, under `map`; definitions of its gradients go to the definitions.
-    std::string drawn(const Look& look, const Affine& map, const std::string& id_attribute,
+    /// The element itself with further attributes, under `map`; definitions of its gradients go to the definitions.
+    std::string drawn(const Look& look, const Affine& map, const std::string& own_attributes,
                       const std::string& gradient_prefix) {
         const Terminal& terminal = terminal_of(look);
         Element element{terminal.paths, style_of_number(grammar_, look.style), {}, terminal.verbatim, {}};
         if (look.color >= 0) element.style = recolored(std::move(element.style), distinct_color(look.color));
         const SvgElementText text = svg_element_text(element, gradient_prefix + '-');
         definitions_ += text.definitions;
-        const std::string attributes = id_attribute + transform_attribute(map);
+        const std::string attributes = own_attributes + transform_attribute(map);
         if (attributes.empty()) return text.body + '\n';
         // a path takes the attributes itself unless its pen has given it a transform already
         constexpr std::string_view path_tag = "<path";

@@ -146,6 +146,11 @@ Linear2 read_pen(Scanner& scanner) {
     return flipped(pen);
 }
 
+void read_stroke_width(Scanner& scanner, Stroke& stroke) {
+    stroke.width = read_length(scanner);
+    stroke.fixed = scanner.take("fixed");
+}
+
 struct Property {
     std::string_view name;
     void (*read)(Scanner&, Style&);
@@ -157,7 +162,7 @@ constexpr std::array properties{
     Property{"fill-rule", [](Scanner& s, Style& style) { style.fill_rule = read_word<FillRule>(s, fill_rules); }},
     Property{"stroke", [](Scanner& s, Style& style) { style.stroke.paint = read_paint(s); }},
     Property{"stroke-opacity", [](Scanner& s, Style& style) { style.stroke.opacity = read_share(s); }},
-    Property{"stroke-width", [](Scanner& s, Style& style) { style.stroke.width = read_length(s); }},
+    Property{"stroke-width", [](Scanner& s, Style& style) { read_stroke_width(s, style.stroke); }},
     Property{"stroke-linecap", [](Scanner& s, Style& style) { style.stroke.cap = read_word<LineCap>(s, caps); }},
     Property{"stroke-linejoin", [](Scanner& s, Style& style) { style.stroke.join = read_word<LineJoin>(s, joins); }},
     Property{"stroke-miterlimit", [](Scanner& s, Style& style) { style.stroke.miter_limit = read_length(s); }},
@@ -226,7 +231,10 @@ void write_stroke(StyleWriter& writer, const Stroke& stroke) {
     const Stroke usual;
     if (!std::holds_alternative<NoPaint>(stroke.paint)) writer.add("stroke", paint_text(stroke.paint));
     writer.number("stroke-opacity", stroke.opacity, usual.opacity);
-    writer.number("stroke-width", stroke.width, usual.width);
+    if (stroke.fixed)
+        writer.add("stroke-width", number_text(stroke.width) + " fixed");
+    else
+        writer.number("stroke-width", stroke.width, usual.width);
     writer.word<LineCap>("stroke-linecap", caps, stroke.cap);
     writer.word<LineJoin>("stroke-linejoin", joins, stroke.join);
     writer.number("stroke-miterlimit", stroke.miter_limit, usual.miter_limit);
@@ -263,6 +271,8 @@ Style parse_style(Scanner& scanner) {
             throw InputError(place, "expected '" + name + "' once, found it again");
         seen.push_back(name);
         property->read(scanner, style);
+        if (style.stroke.fixed && style.stroke.pen != Linear2{})
+            throw InputError(place, "expected a stroke-width without 'fixed' where there is a pen, found both");
         if (!scanner.take(";")) scanner.expect_end("';' before the next property");
     }
     return style;

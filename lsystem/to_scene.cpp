@@ -34,6 +34,7 @@ Element placed_element(const Grammar& grammar, const Placement& placement) {
     }
     element.paths = transformed(terminal.paths, placement.pose);
     element.style = transformed(style_of_number(grammar, drawn_style_number(grammar, placement)), placement.pose);
+    element.style.stroke.fixed = false;
     return element;
 }
 

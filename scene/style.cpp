@@ -110,6 +110,7 @@ Style transformed(const Style& style, const Similarity& map) {
     image.fill = transformed(style.fill, map);
     Stroke& stroke = image.stroke;
     stroke.paint = transformed(style.stroke.paint, map);
+    if (stroke.fixed) return image;
     const double scale = scale_of(map);
     stroke.width *= scale;
     for (double& dash : stroke.dashes) dash *= scale;

@@ -64,6 +64,9 @@ struct Stroke {
     Paint paint = NoPaint{};
     double opacity = 1;
     double width = 1;  ///< in the frame of the paths, before `pen`
+    /// Width and dashes are scene lengths, whatever the frame: they do not follow the scale of a similarity. `pen` is the
+    /// identity then. Never set in the elements of a scene, whose frame is the scene's.
+    bool fixed = false;
     LineCap cap = LineCap::butt;
     LineJoin join = LineJoin::miter;
     double miter_limit = 4;
@@ -87,11 +90,13 @@ struct Style {
 bool paints_fill(const Style& style);
 bool paints_stroke(const Style& style);
 
-/// The style of the paths' image under `map`: gradient maps, stroke widths, dashes and pens follow.
+/// The style of the paths' image under `map`: gradient maps, stroke widths, dashes and pens follow; of a fixed stroke only
+/// the paint.
 Style transformed(const Style& style, const Similarity& map);
 
 /// Same picture? Compares what is painted only (a stroke without paint has no width), numbers within `tolerance`
-/// relative to the frame's unit length (opacities and offsets within 1/512), colours exactly.
+/// relative to the frame's unit length (opacities and offsets within 1/512), colours exactly. In this frame: whether a
+/// stroke is fixed does not count.
 bool same_style(const Style& a, const Style& b, double tolerance);
 
 }  // namespace rinceau

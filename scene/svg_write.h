@@ -17,12 +17,16 @@ std::string svg_path_data(const std::vector<Path>& paths, int digits = 0);
 
 /// The presentation attributes of a style (each as ` name="value"`) that differ from SVG's initial values, without
 /// gradients' definitions, and those definitions apart; gradient ids are `id_prefix` + "f" (fill) or "s" (stroke).
-/// Space: y down. The pen is not in them: svg_element_text draws with it.
+/// Space: y down. The pen is not in them: svg_element_text draws with it. Nor are width and dashes of a fixed stroke, which
+/// depend on the scale that the shape is drawn in.
 struct SvgStyleText {
     std::string attributes;
     std::string definitions;
 };
 SvgStyleText svg_style_text(const Style& style, const std::string& id_prefix);
+
+/// Width and dashes of a stroke, times `factor`, as presentation attributes; `digits` as in svg_path_data.
+std::string svg_stroke_lengths(const Stroke& stroke, double factor = 1, int digits = 0);
 
 /// The value of `transform` for a map given in y-up space, in SVG's y-down convention, exact; empty for the identity.
 std::string svg_transform_text(const Affine& map);

@@ -93,22 +93,29 @@ void add_stroke(SvgStyleText& text, const Stroke& stroke, const std::string& gra
     add_paint(text, "stroke", stroke.paint, gradient_id);
     std::string& attributes = text.attributes;
     add_unless(attributes, "stroke-opacity", stroke.opacity, 1);
-    add_unless(attributes, "stroke-width", stroke.width, 1);
+    if (!stroke.fixed) attributes += svg_stroke_lengths(stroke);
     if (stroke.cap != LineCap::butt) add(attributes, "stroke-linecap", stroke.cap == LineCap::round ? "round" : "square");
     if (stroke.join != LineJoin::miter)
         add(attributes, "stroke-linejoin", stroke.join == LineJoin::round ? "round" : "bevel");
     add_unless(attributes, "stroke-miterlimit", stroke.miter_limit, 4);
-    if (stroke.dashes.empty()) return;
-    std::string dashes;
-    for (const double dash : stroke.dashes) {
-        if (!dashes.empty()) dashes += ' ';
-        dashes += svg_number(dash);
-    }
-    add(attributes, "stroke-dasharray", dashes);
-    add_unless(attributes, "stroke-dashoffset", stroke.dash_offset, 0);
 }
 
 }  // namespace
+
+std::string svg_stroke_lengths(const Stroke& stroke, double factor, int digits) {
+    const auto length = [&](double value) { return svg_number(factor * value, digits); };
+    std::string text;
+    if (const std::string width = length(stroke.width); width != "1") add(text, "stroke-width", width);
+    if (stroke.dashes.empty()) return text;
+    std::string dashes;
+    for (const double dash : stroke.dashes) {
+        if (!dashes.empty()) dashes += ' ';
+        dashes += length(dash);
+    }
+    add(text, "stroke-dasharray", dashes);
+    if (stroke.dash_offset != 0) add(text, "stroke-dashoffset", length(stroke.dash_offset));
+    return text;
+}
 
 SvgStyleText svg_style_text(const Style& style, const std::string& id_prefix) {
     SvgStyleText text;

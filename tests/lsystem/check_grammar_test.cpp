@@ -29,6 +29,13 @@ TEST_CASE("a good grammar has no mistakes") {
     CHECK(mistakes("lsystem 1\naxiom: R(2)\nR(m) : m == 0 -> A\nR(m) -> A R(m-1)\nterminal A:\n").empty());
 }
 
+TEST_CASE("a stroke of fixed width has no pen") {
+    CHECK(mistakes(good + "style 1: stroke red; stroke-width 2 fixed\n").empty());
+    CHECK(mistakes(good + "style 1: stroke-width 2 fixed; pen 2 0 0 1\n") == Texts{"5:32"});
+    CHECK(mistakes(good + "style 1: pen 2 0 0 1; stroke-width 2 fixed\n") == Texts{"5:23"});
+    CHECK(mistakes(good + "style 1: stroke-width 2 fix\n").size() == 1);
+}
+
 TEST_CASE("every mistake is named in order, not only the first") {
     CHECK(mistakes("lsystem 1\n"
                    "axiom: [P(3) f f(n) Q ]\n"

@@ -112,7 +112,7 @@ TEST_CASE("styles read as in SVG, with y turned up") {
         "lsystem 1\n"
         "style 2: fill linear-gradient(matrix(1 2 3 4 5 6), spread reflect, 0 #f00, 1 navy opacity 0.5);\n"
         "  stroke gold; stroke-dasharray 3; pen 1 2 3 4; opacity 0.5; paint-order stroke\n"
-        "style 3: fill none; shape-rendering crispEdges\n");
+        "style 3: fill none; shape-rendering crispEdges; stroke black; stroke-width 2 fixed\n");
     const Style& style = grammar.styles[0].style;
     const Gradient& gradient = *std::get<std::shared_ptr<const Gradient>>(style.fill);
     CHECK(gradient.map == Affine{1, -2, 3, -4, 5, -6});
@@ -122,6 +122,9 @@ TEST_CASE("styles read as in SVG, with y turned up") {
     CHECK(style.stroke_first);
     CHECK(std::holds_alternative<NoPaint>(grammar.styles[1].style.fill));
     CHECK(grammar.styles[1].style.crisp_edges);
+    CHECK(grammar.styles[1].style.stroke.fixed);
+    CHECK(grammar.styles[1].style.stroke.width == 2);
+    CHECK_FALSE(style.stroke.fixed);
 }
 
 TEST_CASE("what is written reads back as the same grammar, and is written the same again") {

@@ -125,7 +125,8 @@ Style random_style(Random& random) {
     style.stroke.miter_limit = 1 + random.below(9);
     for (std::uint32_t i = 2 * random.below(3); i > 0; --i) style.stroke.dashes.push_back(random.uniform(0, 9));
     style.stroke.dash_offset = random_number(random);
-    if (random.below(3) == 0) style.stroke.pen = {random_number(random), random_number(random), random_number(random), 1};
+    style.stroke.fixed = random.below(3) == 0;
+    if (!style.stroke.fixed && random.below(3) == 0) style.stroke.pen = {random_number(random), random_number(random), random_number(random), 1};
     style.opacity = random.below(2) == 0 ? 1 : random.uniform();
     style.stroke_first = random.below(2) == 0;
     style.crisp_edges = random.below(2) == 0;
@@ -171,7 +172,7 @@ bool same_styles(const Style& a, const Style& b) {
            a.opacity == b.opacity && a.stroke_first == b.stroke_first && a.crisp_edges == b.crisp_edges &&
            same_paints(s.paint, t.paint) && s.opacity == t.opacity && s.width == t.width && s.cap == t.cap &&
            s.join == t.join && s.miter_limit == t.miter_limit && s.dashes == t.dashes && s.dash_offset == t.dash_offset &&
-           s.pen == t.pen;
+           s.fixed == t.fixed && s.pen == t.pen;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "lsystem/grammar_text.h"
+#include "scene/svg_read.h"
 #include "scene/svg_path_data.h"
 #include "scene/svg_transform.h"
 
@@ -11,6 +12,8 @@ using namespace rinceau;
 static const std::string top = "lsystem 1\ncanvas -100 -100 200 200\n";
 static const std::string looks =
     "style 1: fill #ffcc00; stroke black; stroke-width 2\n"
+    "style 3: fill none; stroke black; stroke-width 2 fixed; stroke-dasharray 3 1\n"
+    "terminal F: style 3; path \"M0 0H8\"\n"
     "style 2: fill linear-gradient(matrix(4 1 0 3 -2 1), 0 red, 1 blue); stroke green; pen 2 0.5 0 1\n"
     "terminal A: style 1; path \"M0-5L3 0L-3 0.25Z\"; id \"one\"\n"
     "terminal T: verbatim <<<SVG\n<text id=\"a\">hi</text>\nSVG\n";
@@ -64,6 +67,42 @@ TEST_CASE("what is drawn twice is defined once, what is drawn once stands in its
     const std::string two = svg_of(grammar_of("T f(3) T"));
     CHECK(count(two, "<text ") == 1);
     CHECK(count(two, "<use ") == 2);
+}
+
+TEST_CASE("a fixed stroke is as wide as it says under every scale") {
+    const Grammar grammar = grammar_of("[F] [*(4) F] f(7) *(0.25) [F] ;(3) A");
+    const Scene scene = to_scene(grammar, interpret(grammar));
+    for (const Element& element : scene.elements) {
+        CHECK(element.style.stroke.width == 2);
+        CHECK(element.style.stroke.dashes == std::vector<double>{3, 1});
+        CHECK_FALSE(element.style.stroke.fixed);
+    }
+}
+
+TEST_CASE("a use takes the width of a fixed stroke back by its scale; equal ones stay with the definition") {
+    const std::string svg = svg_of(grammar_of("[F] [*(4) F] *(0.25) F"));
+    CHECK(count(svg, "<path ") == 1);
+    CHECK(count(svg, "<use ") == 3);
+    for (const char* lengths : {"stroke-width=\"2\" stroke-dasharray=\"3 1\"", "stroke-width=\"0.5\" stroke-dasharray=\"0.75 0.25\"",
+                                "stroke-width=\"8\" stroke-dasharray=\"12 4\""})
+        CHECK(count(svg, lengths) == 1);
+    const std::string one_scale = svg_of(grammar_of("*(4) F +(30) F f(3) F"));
+    CHECK(count(one_scale, "stroke-width=\"0.5\"") == 1);
+    CHECK(one_scale.find("stroke-width") < one_scale.find("</defs>"));
+    CHECK(count(svg_of(grammar_of("*(4) F")), "stroke-width=\"0.5\"") == 1);
+}
+
+TEST_CASE("the picture with uses, read again, is the scene") {
+    Grammar grammar = grammar_of("P(9)\nP(m) : m > 0 -> [F] +(20) f(9) *(0.8) | ;(3) A ;(0) P(m-1)");
+    const std::vector<Placement> placements = interpret(grammar);
+    const Scene expected = to_scene(grammar, placements);
+    grammar.canvas = {{0, -200}, {200, 0}};  // which the reader leaves where it is
+    const Scene read = read_svg(grammar_svg(grammar, placements)).scene;
+    REQUIRE(read.elements.size() == expected.elements.size());
+    for (std::size_t i = 0; i < read.elements.size(); ++i) {
+        CHECK(abs(read.elements[i].paths[0].start - expected.elements[i].paths[0].start) < 1e-3);
+        CHECK(same_style(read.elements[i].style, expected.elements[i].style, 1e-4));
+    }
 }
 
 TEST_CASE("a use lies where the placement lies, to a ten-thousandth of a pixel") {

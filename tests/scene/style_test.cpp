@@ -36,6 +36,23 @@ TEST_CASE("a style carried there and back is the same, carried along it is anoth
     }
 }
 
+TEST_CASE("a fixed stroke keeps its width and dashes under a similarity, its paint follows") {
+    Style style = rich_style();
+    style.stroke.pen = {};
+    style.stroke.fixed = true;
+    const Similarity g{polar(3, 0.4), {1, 2}, true};
+    const Style image = transformed(style, g);
+    CHECK(image.stroke.width == 2);
+    CHECK(image.stroke.dashes == style.stroke.dashes);
+    Style painted = style;
+    painted.stroke.fixed = false;
+    painted = transformed(painted, g);
+    CHECK_FALSE(same_style(image, painted, 1e-3));
+    painted.stroke.width = 2;
+    painted.stroke.dashes = style.stroke.dashes;
+    CHECK(same_style(image, painted, 1e-9));  // in this frame the two paint the same
+}
+
 TEST_CASE("gradients that draw the same are the same, however they are written") {
     Style a, b;
     a.fill = gradient(GradientKind::linear, {1, 0, 0, 1, 0, 0});
