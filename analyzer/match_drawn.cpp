@@ -9,6 +9,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "analyzer/gradient_difference.h"
 #include "analyzer/outline_deviation.h"
 
 namespace rinceau {
@@ -154,7 +155,20 @@ class Matcher {
     }
 
     bool style_agrees(std::size_t element, std::size_t drawn) const {
-        return same_style(scene_.elements[element].style, drawn_.elements[drawn].style, tolerance_);
+        const Style& style = scene_.elements[element].style;
+        Style other = drawn_.elements[drawn].style;
+        // Gradients are compared where they are seen.
+        const Box& outline = scene_boxes_[element];
+        const double half_width = paints_stroke(style) ? style.stroke.width / 2 : 0;
+        if (same_where_seen(style.fill, other.fill, outline)) other.fill = style.fill;
+        if (same_where_seen(style.stroke.paint, other.stroke.paint, grown(outline, half_width))) other.stroke.paint = style.stroke.paint;
+        return same_style(style, other, tolerance_);
+    }
+
+    bool same_where_seen(const Paint& a, const Paint& b, const Box& box) const {
+        const auto* p = std::get_if<std::shared_ptr<const Gradient>>(&a);
+        const auto* q = std::get_if<std::shared_ptr<const Gradient>>(&b);
+        return p && q && same_gradient_in(**p, **q, box, tolerance_);
     }
 
     void match_exact() {

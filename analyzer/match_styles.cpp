@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 
+#include "analyzer/stroke_lengths.h"
 #include "analyzer/style_axes.h"
 
 namespace rinceau {
@@ -14,18 +16,23 @@ namespace {
 
 /// How far gradients, and start points, of one look may differ, in unit lengths.
 constexpr double style_tolerance = 0.01;
-/// How far stroke widths of one look may differ, and the lengths of dashes, whose differences add up along the outline.
-constexpr double width_tolerance = 0.01;
-constexpr double dash_tolerance = 1e-3;
+/// Equal lengths of strokes, but for rounding.
+constexpr double same_length = 1e-6;
+/// A tenth of a pixel in a picture 900 pixels wide and high, as a share of the diagonal: no width differs by more unseen.
+constexpr double smallest_seen = 7.8e-5;
 
 bool same_share(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)); }
 
+/// With strokes of equal lengths.
 bool same_unit_style(const Style& a, const Style& b) {
-    if (!same_style(a, b, style_tolerance)) return false;
-    if (!paints_stroke(a)) return true;
-    return same_share(a.stroke.width, b.stroke.width, width_tolerance) &&
-           std::ranges::equal(a.stroke.dashes, b.stroke.dashes,
-                              [](double s, double t) { return same_share(s, t, dash_tolerance); });
+    return same_style(a, b, style_tolerance) && (!paints_stroke(a) || a.stroke.fixed == b.stroke.fixed);
+}
+
+bool same_lengths(const Style& a, const Style& b) {
+    return !paints_stroke(a) ||
+           (same_share(a.stroke.width, b.stroke.width, same_length) &&
+            std::ranges::equal(a.stroke.dashes, b.stroke.dashes,
+                               [](double s, double t) { return same_share(s, t, same_length); }));
 }
 
 using Hash = std::uint64_t;
@@ -47,22 +54,63 @@ Hash mixed(Hash hash, const Paint& paint) {
     return hash;
 }
 
-/// Of what must agree exactly; `bin_offset` moves the bin of the stroke width.
-Hash style_hash(const Style& style, int bin_offset) {
+/// Of what must agree exactly, lengths apart.
+Hash style_hash(const Style& style) {
     Hash hash = mixed(0, Hash{paints_fill(style)});
     if (paints_fill(style)) hash = mixed(hash, style.fill);
-    if (!paints_stroke(style)) return hash;
-    const double bin = std::floor(std::log(style.stroke.width) / (2 * width_tolerance)) + bin_offset;
-    return mixed(mixed(hash, style.stroke.paint), static_cast<Hash>(static_cast<std::int64_t>(bin)));
+    return paints_stroke(style) ? mixed(hash, style.stroke.paint) : hash;
 }
 
-/// The bins in which an equal style may have been filed.
-std::vector<int> bins_of(const Style& style) { return paints_stroke(style) ? std::vector{0, -1, 1} : std::vector{0}; }
+double dash_period(const Stroke& stroke) { return std::accumulate(stroke.dashes.begin(), stroke.dashes.end(), 0.0); }
+
+/// Of what a stroke is beside its lengths.
+Hash stroke_kind(const Style& style) {
+    const Stroke& stroke = style.stroke;
+    Hash hash = mixed(mixed(style_hash(style), static_cast<Hash>(stroke.cap)), Hash{stroke.pen == Linear2{}});
+    const double period = dash_period(stroke);
+    if (!(period > 0)) return mixed(hash, stroke.dashes.size());
+    constexpr double parts = 1000;  // of the period
+    for (const double dash : stroke.dashes) hash = mixed(hash, static_cast<Hash>(std::llround(parts * dash / period)));
+    return mixed(hash, static_cast<Hash>(std::llround(parts * stroke.dash_offset / period)));
+}
+
+std::vector<StrokeLengths> find_stroke_lengths(const Scene& scene, const ShapeMatching& shapes) {
+    std::vector<DrawnStroke> strokes;
+    std::vector<std::size_t> elements;
+    for (std::size_t i = 0; i < scene.elements.size(); ++i) {
+        const ShapeMatch& match = shapes.matches[i];
+        const Style& style = scene.elements[i].style;
+        if (match.shape < 0 || !paints_stroke(style)) continue;
+        const bool is_dot = shapes.classes[static_cast<std::size_t>(match.shape)].dots;  // its size is its width
+        strokes.push_back({match.shape, stroke_kind(style), style.stroke.width, dash_period(style.stroke),
+                           scale_of(match.pose), is_dot || style.stroke.pen != Linear2{}});
+        elements.push_back(i);
+    }
+    const std::vector<StrokeLengths> found = common_stroke_lengths(strokes, smallest_seen * drawing_diagonal(scene));
+    std::vector<StrokeLengths> of_elements(scene.elements.size());
+    for (std::size_t k = 0; k < found.size(); ++k) of_elements[elements[k]] = found[k];
+    return of_elements;
+}
+
+/// The style with those lengths, drawn in the scene at `scale`.
+Style with_lengths(Style style, const StrokeLengths& lengths, double scale) {
+    if (lengths.group < 0) return style;
+    Stroke& stroke = style.stroke;
+    const double unit = lengths.fixed ? 1 : scale;
+    const double period = dash_period(stroke);
+    const double stretch = period > 0 ? lengths.dash_period * unit / period : 1;
+    stroke.fixed = lengths.fixed;
+    stroke.width = lengths.width * unit;
+    for (double& dash : stroke.dashes) dash *= stretch;
+    stroke.dash_offset *= stretch;
+    return style;
+}
 
 /// An element with its pose, as drawn so far.
 struct StyledElement {
     int shape = -1;
     Similarity pose;
+    int lengths = -1;  ///< group of its stroke's lengths
     Style unit_style;
     PaintedForm form;
     std::vector<double> axes;  ///< of style, or of starts; empty = no rotation or mirror image can be told
@@ -70,8 +118,9 @@ struct StyledElement {
     bool oriented() const { return !axes.empty(); }
 };
 
-StyledElement styled(const Element& element, const ShapeMatch& match, bool is_dot) {
-    StyledElement result{match.shape, match.pose, transformed(element.style, inverse(match.pose)), {}, {}};
+StyledElement styled(const Element& element, const ShapeMatch& match, const StrokeLengths& lengths, bool is_dot) {
+    const Style style = with_lengths(element.style, lengths, scale_of(match.pose));
+    StyledElement result{match.shape, match.pose, lengths.group, transformed(style, inverse(match.pose)), {}, {}};
     if (!is_dot) result.form = painted_form(element, match.pose);
     result.axes = style_axes(result.unit_style, style_tolerance);
     if (result.axes.empty())
@@ -122,13 +171,14 @@ class StyleMatcher {
     StyleMatcher(const Scene& scene, const ShapeMatching& shapes) : scene_(scene), shapes_(shapes) {}
 
     StyleMatching run() && {
+        const std::vector<StrokeLengths> lengths = find_stroke_lengths(scene_, shapes_);
         for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
             const ShapeMatch& match = shapes_.matches[i];
             if (match.shape < 0) {
                 add_verbatim(static_cast<int>(i));
             } else {
                 const bool is_dot = shapes_.classes[static_cast<std::size_t>(match.shape)].dots;
-                add(static_cast<int>(i), styled(scene_.elements[i], match, is_dot));
+                add(static_cast<int>(i), styled(scene_.elements[i], match, lengths[i], is_dot));
             }
         }
         result_.styles = styles_;
@@ -147,27 +197,28 @@ class StyleMatcher {
         result_.instances.push_back({static_cast<int>(result_.looks.size()), Similarity{}});
         result_.looks.push_back(std::move(look));
         first_axes_.push_back({});
+        lengths_.push_back(-1);
     }
 
     void add(int index, const StyledElement& element) {
-        for (const int bin : bins_of(element.unit_style))
-            for (const int look : looks_by_hash_[look_hash(element, bin)])
-                if (const std::optional<Similarity> pose = pose_in(look, element)) {
-                    result_.instances.push_back({look, *pose});
-                    return;
-                }
+        for (const int look : looks_by_hash_[look_hash(element)])
+            if (const std::optional<Similarity> pose = pose_in(look, element)) {
+                result_.instances.push_back({look, *pose});
+                return;
+            }
         found_look(index, element);
     }
 
-    static Hash look_hash(const StyledElement& element, int bin_offset) {
-        return mixed(mixed(style_hash(element.unit_style, bin_offset), static_cast<Hash>(element.shape)),
-                     element.form.starts.size());
+    static Hash look_hash(const StyledElement& element) {
+        const Hash shape = mixed(style_hash(element.unit_style), static_cast<Hash>(element.shape));
+        return mixed(mixed(shape, static_cast<Hash>(element.lengths)), element.form.starts.size());
     }
 
     /// The cleanest pose under which the element is a copy of the look.
     std::optional<Similarity> pose_in(int look_index, const StyledElement& element) const {
         const StyledLook& look = result_.looks[static_cast<std::size_t>(look_index)];
-        if (look.shape != element.shape || !same_form(look.form, element.form)) return std::nullopt;
+        if (look.shape != element.shape || lengths_[static_cast<std::size_t>(look_index)] != element.lengths) return std::nullopt;
+        if (!same_form(look.form, element.form)) return std::nullopt;
         const Similarity& reference = result_.instances[static_cast<std::size_t>(look.first)].pose;
         std::optional<Similarity> best;
         if (!element.oriented() && !same_unit_style(look.unit_style, element.unit_style)) return best;
@@ -207,10 +258,11 @@ class StyleMatcher {
         StyledLook look{element.shape, style_number(clean.unit_style), index, clean.unit_style, clean.form, {}};
         look.symmetry = look_symmetry(clean, shapes_.classes[static_cast<std::size_t>(element.shape)]);
         const int number = static_cast<int>(result_.looks.size());
-        looks_by_hash_[look_hash(element, 0)].push_back(number);
+        looks_by_hash_[look_hash(element)].push_back(number);
         result_.instances.push_back({number, clean.pose});
         result_.looks.push_back(std::move(look));
         first_axes_.push_back(std::move(clean.axes));
+        lengths_.push_back(clean.lengths);
     }
 
     static SymmetryGroup look_symmetry(const StyledElement& element, const ShapeClass& shape) {
@@ -230,10 +282,14 @@ class StyleMatcher {
     }
 
     int style_number(const Style& style) {
-        for (const int bin : bins_of(style))
-            for (const auto& [number, other] : styles_by_hash_[style_hash(style, bin)])
-                if (same_unit_style(other, style)) return number;
-        styles_by_hash_[style_hash(style, 0)].push_back({styles_, style});
+        // Equal widths share a step but for rounding at its ends, which costs a number.
+        constexpr double step = 1e-3;  // of the logarithm
+        const double width = paints_stroke(style) ? std::log(style.stroke.width) / step : 0;
+        const Hash hash = mixed(style_hash(style), static_cast<Hash>(std::llround(width)));
+        std::vector<std::pair<int, Style>>& alike = styles_by_hash_[hash];
+        for (const auto& [number, other] : alike)
+            if (same_lengths(other, style) && same_unit_style(other, style)) return number;
+        alike.push_back({styles_, style});
         return styles_++;
     }
 
@@ -242,6 +298,7 @@ class StyleMatcher {
     std::unordered_map<Hash, std::vector<int>> looks_by_hash_;
     std::unordered_map<Hash, std::vector<std::pair<int, Style>>> styles_by_hash_;
     std::vector<std::vector<double>> first_axes_;  ///< of each look: axes of its unit style
+    std::vector<int> lengths_;                     ///< of each look: group of its stroke's lengths
     int styles_ = 0;
     StyleMatching result_;
 };

@@ -54,7 +54,8 @@ Style tidied(Style style) {
 int style_number(Grammar& grammar, const Style& style) {
     constexpr double equal = 1e-6;
     for (const NumberedStyle& known : grammar.styles) {
-        if (same_style(known.style, style, equal)) return known.number;
+        const bool scale_alike = known.style.stroke.fixed == style.stroke.fixed || !paints_stroke(style);
+        if (scale_alike && same_style(known.style, style, equal)) return known.number;
     }
     const int number = static_cast<int>(grammar.styles.size()) + 1;
     grammar.styles.push_back({number, style, ""});
