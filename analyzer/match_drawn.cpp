@@ -161,7 +161,8 @@ class Matcher {
         const Box& outline = scene_boxes_[element];
         const double half_width = paints_stroke(style) ? style.stroke.width / 2 : 0;
         if (same_where_seen(style.fill, other.fill, outline)) other.fill = style.fill;
-        if (same_where_seen(style.stroke.paint, other.stroke.paint, grown(outline, half_width))) other.stroke.paint = style.stroke.paint;
+        if (same_where_seen(style.stroke.paint, other.stroke.paint, grown(outline, half_width)))
+            other.stroke.paint = style.stroke.paint;
         return same_style(style, other, tolerance_);
     }
 

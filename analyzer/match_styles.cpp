@@ -217,7 +217,8 @@ class StyleMatcher {
     /// The cleanest pose under which the element is a copy of the look.
     std::optional<Similarity> pose_in(int look_index, const StyledElement& element) const {
         const StyledLook& look = result_.looks[static_cast<std::size_t>(look_index)];
-        if (look.shape != element.shape || lengths_[static_cast<std::size_t>(look_index)] != element.lengths) return std::nullopt;
+        if (look.shape != element.shape) return std::nullopt;
+        if (lengths_[static_cast<std::size_t>(look_index)] != element.lengths) return std::nullopt;
         if (!same_form(look.form, element.form)) return std::nullopt;
         const Similarity& reference = result_.instances[static_cast<std::size_t>(look.first)].pose;
         std::optional<Similarity> best;

@@ -133,7 +133,8 @@ void parse_terminal_part(Scanner& scanner, Terminal& terminal, bool& whole) {
         const double top = scanner.number();
         const double right = scanner.number();
         const double bottom = scanner.number();
-        if (right < left || bottom < top) throw InputError(place, "expected a box as left top right bottom, found its sides crossed");
+        if (right < left || bottom < top)
+            throw InputError(place, "expected a box as left top right bottom, found its sides crossed");
         terminal.verbatim_box = {{left, 0 - bottom}, {right, 0 - top}};
     } else if (part == "verbatim") {
         scanner.expect("<<<");
