@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "lsystem/check_strings.h"
 #include "lsystem/compile.h"
@@ -14,10 +16,9 @@ namespace rinceau {
 
 namespace {
 
-constexpr double seconds_for_a_trial = 2;                  // a check answers while one waits
-constexpr std::uint64_t modules_for_a_turtle = 2'000'000;  // their placements take some 300 MB
+constexpr double seconds_for_trials = 1;  // a check answers while one waits
 
-/// Stops a trial derivation that takes too long; what it has found until then counts.
+/// Stops trial derivations that take too long; what they have found until then counts.
 struct TrialOver {};
 
 Progress stop_after(double seconds) {
@@ -27,14 +28,13 @@ Progress stop_after(double seconds) {
     };
 }
 
-/// Counts, and remembers which exceptions were met.
-struct Counter {
-    std::uint64_t modules = 0;
-    std::set<int> exceptions;
+/// Remembers which exceptions were met.
+struct ExceptionWatch {
+    std::vector<bool> met;
 
-    void command(const CompiledModule&, double) { ++modules; }
-    void leaf(const CompiledModule&, std::span<const double>, const StreamPlace&) { ++modules; }
-    void exception(int index) { exceptions.insert(index); }
+    void command(const CompiledModule&, double) {}
+    void leaf(const CompiledModule&, std::span<const double>, const StreamPlace&) {}
+    void exception(int index) { met[static_cast<std::size_t>(index)] = true; }
 };
 
 class GrammarChecker {
@@ -47,6 +47,7 @@ class GrammarChecker {
 
     std::vector<Warning> check() {
         if (!state_.versioned) warn({file_name_, 1, 1}, "expected 'lsystem 1' as the first statement, found an empty text");
+        names_.emplace(grammar());
         check_constants();
         check_axiom();
         for (const Production& production : grammar().productions) check_production(production);
@@ -62,7 +63,11 @@ class GrammarChecker {
   private:
     std::string file_name_;
     ParseState state_;
-    Scope constants_;
+    Scope scope_;  // the constants, and the parameters of the production that is being checked
+    std::optional<KnownNames> names_;
+    /// Of the productions so far, by symbol and number of parameters: the line of the one without a condition.
+    std::map<std::pair<std::string_view, std::size_t>, std::optional<int>> unconditional_;
+    std::map<std::vector<int>, int> exception_lines_;  // by address
     bool axiom_is_faulty_ = false;
     std::vector<Warning> warnings_;
 
@@ -82,17 +87,17 @@ class GrammarChecker {
         for (const Constant& constant : grammar().constants) {
             double value = 1;  // stands for a faulty one, so that its users are not reported too
             try {
-                value = compile_expression(constant.value, constants_, constant.place).code.front().number;
+                value = compile_expression(constant.value, scope_, constant.place).code.front().number;
             } catch (const InputError& error) {
                 warnings_.push_back(warning_of(error));
             }
             if (!std::isfinite(value)) warn(constant.place, "expected a finite value of the constant " + constant.name);
-            constants_.constants.emplace_back(constant.name, value);
+            scope_.constants.try_emplace(constant.name, value);
         }
     }
 
-    void check_string_in(const std::vector<ModuleTemplate>& string, const Scope& scope) {
-        const std::vector<Warning> found = check_string(grammar(), string, scope);
+    void check_string_here(const std::vector<ModuleTemplate>& string) {
+        const std::vector<Warning> found = check_string(*names_, string, scope_);
         warnings_.insert(warnings_.end(), found.begin(), found.end());
     }
 
@@ -100,17 +105,16 @@ class GrammarChecker {
         if (grammar().axiom.empty() && !axiom_is_faulty_) {
             warn({file_name_, 1, 1}, "expected an axiom, such as 'axiom: A', found none: nothing would be drawn");
         }
-        check_string_in(grammar().axiom, constants_);
+        check_string_here(grammar().axiom);
     }
 
     void check_production(const Production& production) {
-        Scope scope = constants_;
-        scope.parameters = production.parameters;
-        check_string_in(production.successor, scope);
+        scope_.parameters = production.parameters;
+        check_string_here(production.successor);
         bool always = !production.condition;
         if (production.condition) {
             try {
-                const Program condition = compile_expression(*production.condition, scope, production.place);
+                const Program condition = compile_expression(*production.condition, scope_, production.place);
                 const bool fixed = is_constant(condition);
                 always = fixed && condition.code.front().number != 0;
                 if (fixed && !always)
@@ -119,23 +123,21 @@ class GrammarChecker {
                 warnings_.push_back(warning_of(error));
             }
         }
+        scope_.parameters.clear();
         check_turn(production, always);
     }
 
     /// Productions of one symbol are tried in order.
     void check_turn(const Production& production, bool always) {
-        const auto same = [&](const Production& other) {
-            return other.symbol == production.symbol && other.parameters.size() == production.parameters.size();
-        };
-        const auto first = std::ranges::find_if(grammar().productions, same);
-        const bool is_first = &*first == &production;
-        for (auto earlier = first; &*earlier != &production; ++earlier) {
-            if (!same(*earlier) || earlier->condition) continue;
+        const auto [found, is_first] = unconditional_.try_emplace({production.symbol, production.parameters.size()});
+        std::optional<int>& unconditional = found->second;
+        if (unconditional) {
             warn(production.place, "expected a production that can apply, found one that never does: the one in line " +
-                                       std::to_string(earlier->place.line) +
+                                       std::to_string(*unconditional) +
                                        " always comes first; give that one a condition");
             return;
         }
+        if (!production.condition) unconditional = production.place.line;
         const bool recursive = std::ranges::any_of(production.successor, [&](const ModuleTemplate& module) {
             return module.symbol == production.symbol && module.arguments.size() == production.parameters.size();
         });
@@ -147,17 +149,17 @@ class GrammarChecker {
     }
 
     void check_exception(const Exception& exception) {
-        check_string_in(exception.successor, constants_);
-        const auto first = std::ranges::find(grammar().exceptions, exception.address, &Exception::address);
-        if (&*first != &exception) {
+        check_string_here(exception.successor);
+        const auto [first, is_first] = exception_lines_.try_emplace(exception.address, exception.place.line);
+        if (!is_first) {
             warn(exception.place, "expected one exception at an address, found another: the first is in line " +
-                                      std::to_string(first->place.line));
+                                      std::to_string(first->second));
         }
     }
 
     void check_terminals() {
         for (const Terminal& terminal : grammar().terminals) {
-            if (!terminal.verbatim.empty() || has_style(grammar(), terminal.style)) continue;
+            if (!terminal.verbatim.empty() || names_->styles.contains(terminal.style)) continue;
             warn(terminal.place, "expected the number of a style of the grammar, found " + std::to_string(terminal.style) +
                                      ": add 'style " + std::to_string(terminal.style) + ": ..'");
         }
@@ -167,10 +169,11 @@ class GrammarChecker {
     void try_derivation() {
         try {
             const CompiledGrammar compiled = compile(grammar());
-            Counter counter;
-            stream_modules(compiled, {}, stop_after(seconds_for_a_trial), false, counter);
-            if (counter.modules <= modules_for_a_turtle) interpret(grammar(), {}, stop_after(seconds_for_a_trial));
-            report_unused_exceptions(counter.exceptions);
+            const Progress deadline = stop_after(seconds_for_trials);
+            ExceptionWatch watch{std::vector<bool>(grammar().exceptions.size())};
+            stream_modules(compiled, {}, deadline, false, watch);
+            report_unused_exceptions(watch.met);
+            visit_placements(grammar(), {}, [](const Placement&) {}, deadline);
         } catch (const InputError& error) {
             warnings_.push_back(warning_of(error));
         } catch (const LimitError& error) {
@@ -182,9 +185,9 @@ class GrammarChecker {
         }
     }
 
-    void report_unused_exceptions(const std::set<int>& met) {
+    void report_unused_exceptions(const std::vector<bool>& met) {
         for (std::size_t i = 0; i < grammar().exceptions.size(); ++i) {
-            if (met.contains(static_cast<int>(i))) continue;
+            if (met[i]) continue;
             warn(grammar().exceptions[i].place,
                  "expected the address of a module, found one where none stands: "
                  "count it again, or take the exception away");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lsystem/compile.h"
 #include "lsystem/number_text.h"
 #include "lsystem/turtle_commands.h"
 
@@ -16,11 +15,20 @@ Warning warning_of(const InputError& error) {
     return {error.place(), message};
 }
 
+KnownNames::KnownNames(const Grammar& grammar) : styles(grammar) {
+    for (const Terminal& terminal : grammar.terminals) terminals.insert(terminal.symbol);
+    for (const Production& production : grammar.productions) {
+        std::vector<std::size_t>& known = arities[production.symbol];
+        const std::size_t arity = production.parameters.size();
+        if (std::ranges::find(known, arity) == known.end()) known.push_back(arity);
+    }
+}
+
 namespace {
 
 class StringChecker {
   public:
-    StringChecker(const Grammar& grammar, const Scope& scope) : grammar_(grammar), scope_(scope) {}
+    StringChecker(const KnownNames& names, const Scope& scope) : names_(names), scope_(scope) {}
 
     std::vector<Warning> check(const std::vector<ModuleTemplate>& string) {
         for (const ModuleTemplate& module : string) {
@@ -32,7 +40,7 @@ class StringChecker {
     }
 
   private:
-    const Grammar& grammar_;
+    const KnownNames& names_;
     const Scope& scope_;
     std::vector<Warning> warnings_;
 
@@ -49,13 +57,12 @@ class StringChecker {
             expect_count(module, static_cast<std::size_t>(command->arity), " (" + std::string(command->help) + ")");
             return;
         }
-        const auto first = std::ranges::find(grammar_.productions, module.symbol, &Production::symbol);
-        if (first != grammar_.productions.end()) {
-            const bool fits = std::ranges::any_of(grammar_.productions, [&](const Production& production) {
-                return production.symbol == module.symbol && production.parameters.size() == module.arguments.size();
-            });
-            if (!fits) expect_count(module, first->parameters.size(), ", as in its production");
-        } else if (std::ranges::find(grammar_.terminals, module.symbol, &Terminal::symbol) == grammar_.terminals.end()) {
+        const auto arities = names_.arities.find(module.symbol);
+        if (arities != names_.arities.end()) {
+            const std::vector<std::size_t>& known = arities->second;
+            const bool fits = std::ranges::find(known, module.arguments.size()) != known.end();
+            if (!fits) expect_count(module, known.front(), ", as in its production");
+        } else if (!names_.terminals.contains(module.symbol)) {
             warn(module, "expected a command, a production's symbol or a terminal, found the unknown symbol '" +
                              module.symbol + "': add a production '" + module.symbol + " -> ..' or 'terminal " +
                              module.symbol + ": ..'");
@@ -87,7 +94,7 @@ class StringChecker {
     }
     bool is_style(double value) const {
         constexpr double largest = 1e9;  // fits an int
-        return value == std::floor(value) && std::abs(value) <= largest && has_style(grammar_, static_cast<int>(value));
+        return value == std::floor(value) && std::abs(value) <= largest && names_.styles.contains(static_cast<int>(value));
     }
 
     void check_brackets(const std::vector<ModuleTemplate>& string) {
@@ -109,8 +116,8 @@ class StringChecker {
 
 }  // namespace
 
-std::vector<Warning> check_string(const Grammar& grammar, const std::vector<ModuleTemplate>& string, const Scope& scope) {
-    return StringChecker(grammar, scope).check(string);
+std::vector<Warning> check_string(const KnownNames& names, const std::vector<ModuleTemplate>& string, const Scope& scope) {
+    return StringChecker(names, scope).check(string);
 }
 
 }  // namespace rinceau

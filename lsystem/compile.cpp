@@ -7,11 +7,10 @@
 
 namespace rinceau {
 
-bool has_style(const Grammar& grammar, int number) {
-    return number == 0 || std::ranges::find(grammar.styles, number, &NumberedStyle::number) != grammar.styles.end();
-}
+namespace {
 
-std::vector<std::pair<std::string, double>> evaluate_constants(const Grammar& grammar) {
+/// The values of the constants.
+std::unordered_map<std::string, double> evaluate_constants(const Grammar& grammar) {
     Scope scope;
     for (const Constant& constant : grammar.constants) {
         const Program program = compile_expression(constant.value, scope, constant.place);
@@ -20,16 +19,15 @@ std::vector<std::pair<std::string, double>> evaluate_constants(const Grammar& gr
             throw InputError(constant.place, "expected a finite value of the constant " + constant.name + ", found " +
                                                  to_text(constant.value));
         }
-        scope.constants.emplace_back(constant.name, value);
+        scope.constants.try_emplace(constant.name, value);
     }
     return scope.constants;
 }
 
-namespace {
-
 class Compiler {
   public:
-    explicit Compiler(const Grammar& grammar) { result_.grammar = &grammar; }
+    explicit Compiler(const Grammar& grammar)
+        : result_{.grammar = &grammar, .styles = StyleTable(grammar), .exception_tree = ExceptionTree(grammar.exceptions)} {}
 
     CompiledGrammar compile() {
         const Grammar& grammar = *result_.grammar;
@@ -41,7 +39,6 @@ class Compiler {
         for (const Exception& exception : grammar.exceptions) {
             result_.exceptions.push_back(compile_string(exception.successor));
         }
-        result_.exception_tree = ExceptionTree(grammar.exceptions);
         result_.terminal_of.resize(result_.symbols.size(), -1);
         result_.productions_of.resize(result_.symbols.size());
         for (const CompiledProduction& production : result_.productions) check_production_arity(production.successor);
@@ -76,7 +73,7 @@ class Compiler {
             const auto symbol = static_cast<std::size_t>(number_of(terminal.symbol));
             if (result_.terminal_of.size() <= symbol) result_.terminal_of.resize(symbol + 1, -1);
             result_.terminal_of[symbol] = static_cast<int>(&terminal - grammar.terminals.data());
-            if (terminal.verbatim.empty() && !has_style(grammar, terminal.style)) {
+            if (terminal.verbatim.empty() && !result_.styles.contains(terminal.style)) {
                 throw InputError(terminal.place, "expected 'style " + std::to_string(terminal.style) +
                                                      ": ..' in the grammar, for the terminal " + terminal.symbol);
             }
@@ -113,47 +110,66 @@ class Compiler {
         for (const CompiledModule& module : modules) {
             const std::vector<int>& candidates = result_.productions_of[static_cast<std::size_t>(module.symbol)];
             const auto fits = [&](int index) {
-                return result_.productions[static_cast<std::size_t>(index)].parameters ==
-                       static_cast<int>(module.arguments.size());
+                return result_.productions[static_cast<std::size_t>(index)].parameters == module.argument_count;
             };
             if (candidates.empty() || std::ranges::any_of(candidates, fits)) continue;
             const int wanted = result_.productions[static_cast<std::size_t>(candidates.front())].parameters;
             throw InputError(module.source->place, "expected " + std::to_string(wanted) + " argument(s) of " +
                                                        module.source->symbol + ", as in its production, found " +
-                                                       std::to_string(module.arguments.size()));
+                                                       std::to_string(module.argument_count));
         }
     }
 
     CompiledString compile_string(const std::vector<ModuleTemplate>& modules) {
         CompiledString result;
+        result.reserve(modules.size());
         for (const ModuleTemplate& module : modules) {
             check_arity(module);
             CompiledModule compiled;
             compiled.symbol = number_of(module.symbol);
             compiled.position = static_cast<int>(result.size());
             compiled.source = &module;
-            for (const Expression& argument : module.arguments) {
-                compiled.arguments.push_back(compile_expression_here(argument, module.place));
-            }
-            fold_constants(compiled);
-            result_.max_arity = std::max(result_.max_arity, module.arguments.size());
+            compiled.argument_count = static_cast<int>(module.arguments.size());
+            compile_arguments(compiled);
             result.push_back(std::move(compiled));
         }
         return result;
     }
 
-    static void fold_constants(CompiledModule& module) {
-        module.constant = std::ranges::all_of(module.arguments, is_constant);
+    void compile_arguments(CompiledModule& module) {
+        module.first_value = result_.values.size();
+        if (!add_numbers(module)) {
+            result_.values.resize(module.first_value);
+            for (const Expression& argument : module.source->arguments) {
+                module.arguments.push_back(compile_expression_here(argument, module.source->place));
+            }
+            fold_constants(module);
+        }
         if (!module.constant) return;
-        for (const Program& argument : module.arguments) module.values.push_back(argument.code.front().number);
-        if (!std::ranges::all_of(module.values, [](double value) { return std::isfinite(value); })) {
+        const auto first = result_.values.begin() + static_cast<std::ptrdiff_t>(module.first_value);
+        if (!std::all_of(first, result_.values.end(), [](double value) { return std::isfinite(value); })) {
             throw InputError(module.source->place, "expected finite arguments of " + module.source->symbol);
         }
         if (module.symbol <= static_cast<Symbol>(TurtleCommand::right)) {
-            const double angle =
-                module.symbol == static_cast<Symbol>(TurtleCommand::right) ? -module.values[0] : module.values[0];
+            const double angle = module.symbol == static_cast<Symbol>(TurtleCommand::right) ? -*first : *first;
             module.turn = {cosine_of_degrees(angle), sine_of_degrees(angle)};
         }
+    }
+
+    /// What is written as numbers needs no program; false if something else is among the arguments.
+    bool add_numbers(const CompiledModule& module) {
+        for (const Expression& argument : module.source->arguments) {
+            if (argument.postfix.size() != 1 || argument.postfix.front().op != Expression::Op::number) return false;
+            result_.values.push_back(argument.postfix.front().number);
+        }
+        return true;
+    }
+
+    void fold_constants(CompiledModule& module) {
+        module.constant = std::ranges::all_of(module.arguments, is_constant);
+        if (!module.constant) return;
+        for (const Program& argument : module.arguments) result_.values.push_back(argument.code.front().number);
+        module.arguments.clear();
     }
 };
 

@@ -10,6 +10,7 @@
 #include "lsystem/exception_tree.h"
 #include "lsystem/grammar.h"
 #include "lsystem/program.h"
+#include "lsystem/style_table.h"
 #include "lsystem/turtle_commands.h"
 
 namespace rinceau {
@@ -20,10 +21,11 @@ constexpr Symbol command_count = 9;
 struct CompiledModule {
     Symbol symbol = 0;
     int position = 0;  ///< in its successor or in the axiom
-    std::vector<Program> arguments;
-    bool constant = true;        ///< all arguments are constants:
-    std::vector<double> values;  ///< then these are they
-    Complex turn{1, 0};          ///< of a constant + or -
+    int argument_count = 0;
+    bool constant = true;            ///< all arguments are constants, which begin at first_value of CompiledGrammar::values;
+    std::vector<Program> arguments;  ///< else these are they
+    std::size_t first_value = 0;
+    Complex turn{1, 0};  ///< of a constant + or -
     const ModuleTemplate* source = nullptr;
 };
 
@@ -40,6 +42,8 @@ struct CompiledProduction {
 /// Refers to the grammar that it was made from, which must outlive it.
 struct CompiledGrammar {
     const Grammar* grammar = nullptr;
+    StyleTable styles;
+    std::vector<double> values;  ///< of constant arguments
     std::vector<std::string> symbols;
     std::vector<std::vector<int>> productions_of;  ///< symbol -> productions, in the grammar's order
     std::vector<int> terminal_of;                  ///< symbol -> terminal, -1 = none
@@ -47,18 +51,11 @@ struct CompiledGrammar {
     CompiledString axiom;
     std::vector<CompiledString> exceptions;
     ExceptionTree exception_tree;
-    int stack_size = 1;         ///< of the largest expression
-    std::size_t max_arity = 1;  ///< of any module
+    int stack_size = 1;  ///< of the largest expression
 };
 
 /// Throws InputError for unknown names, wrong numbers of arguments of commands and of symbols that have productions or are
 /// terminals, constants that are not finite, unknown numbers of styles.
 CompiledGrammar compile(const Grammar& grammar);
-
-/// The values of the constants in order. Throws InputError for unknown names and values that are not finite.
-std::vector<std::pair<std::string, double>> evaluate_constants(const Grammar& grammar);
-
-/// true if the grammar has a style of that number, or the number is 0 ("its own").
-bool has_style(const Grammar& grammar, int number);
 
 }  // namespace rinceau

@@ -12,7 +12,7 @@ struct Collector {
 
     void command(const CompiledModule& module, double argument) {
         modules.push_back({module.symbol, {}});
-        if (!module.arguments.empty()) modules.back().arguments.push_back(argument);
+        if (module.argument_count > 0) modules.back().arguments.push_back(argument);
     }
     void leaf(const CompiledModule& module, std::span<const double> arguments, const StreamPlace&) {
         modules.push_back({module.symbol, {arguments.begin(), arguments.end()}});

@@ -55,7 +55,7 @@ class Parser {
     static constexpr int max_nesting = 200;  // keeps the call stack small whatever the text
 
     std::string_view text_;
-    SourcePlace place_;
+    const SourcePlace& place_;
     std::size_t at_ = 0;
     int nesting_ = 0;
     Expression expression_;

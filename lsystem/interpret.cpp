@@ -18,9 +18,12 @@ struct TurtleState {
     int layer = 0;
 };
 
+/// Visit: void (Placement&), which may take the placement.
+template <class Visit>
 class Turtle {
   public:
-    Turtle(const CompiledGrammar& grammar, const InterpretOptions& options) : grammar_(grammar), options_(options) {}
+    Turtle(const CompiledGrammar& grammar, const InterpretOptions& options, Visit visit)
+        : grammar_(grammar), options_(options), visit_(visit) {}
 
     void command(const CompiledModule& module, double argument) {
         switch (static_cast<TurtleCommand>(module.symbol)) {
@@ -59,40 +62,34 @@ class Turtle {
         const int terminal = grammar_.terminal_of[static_cast<std::size_t>(module.symbol)];
         if (terminal < 0) return;
         check_range(module);
-        Placement placement;
-        placement.terminal = terminal;
-        placement.style = state_.style;
-        placement.layer = state_.layer;
-        placement.pose = state_.pose;
-        placement.order = static_cast<int>(placements_.size());
-        placement.production = std::max(place.occurrence.production, -1);
+        placement_.terminal = terminal;
+        placement_.style = state_.style;
+        placement_.layer = state_.layer;
+        placement_.pose = state_.pose;
+        placement_.production = std::max(place.occurrence.production, -1);
         if (options_.addresses) {
-            placement.address.reserve(place.address_front.size() + 1);
-            placement.address = place.address_front;
-            placement.address.push_back(place.number);
+            placement_.address.reserve(place.address_front.size() + 1);
+            placement_.address = place.address_front;
+            placement_.address.push_back(place.number);
         }
         if (options_.trails) {
-            placement.trail.reserve(place.trail_front.size() + 1);
-            placement.trail = place.trail_front;
-            placement.trail.push_back(place.occurrence);
+            placement_.trail.reserve(place.trail_front.size() + 1);
+            placement_.trail = place.trail_front;
+            placement_.trail.push_back(place.occurrence);
         }
-        placements_.push_back(std::move(placement));
+        visit_(placement_);
+        ++placement_.order;
     }
 
     void exception(int) {}
 
-    std::vector<Placement> take_in_paint_order() {
-        if (layered_) std::ranges::stable_sort(placements_, {}, &Placement::layer);
-        return std::move(placements_);
-    }
-
   private:
     const CompiledGrammar& grammar_;
     const InterpretOptions& options_;
+    Visit visit_;
     TurtleState state_;
     std::vector<TurtleState> stack_;
-    std::vector<Placement> placements_;
-    bool layered_ = false;
+    Placement placement_;  // the next one
     int known_style_ = 0;  // the style looked up last: a string changes style far more often than it meets a new one
 
     [[noreturn]] static void fail(const CompiledModule& module, const std::string& expected, double found) {
@@ -118,7 +115,7 @@ class Turtle {
     void set_style(const CompiledModule& module, double argument) {
         if (!is_whole(argument)) fail(module, "expected a whole number of a style", argument);
         const int number = static_cast<int>(argument);
-        if (number != known_style_ && !has_style(*grammar_.grammar, number)) {
+        if (number != known_style_ && !grammar_.styles.contains(number)) {
             fail(module, "expected the number of a style of the grammar, or 0,", argument);
         }
         state_.style = known_style_ = number;
@@ -128,7 +125,6 @@ class Turtle {
         if (!is_whole(argument) || !is_whole(argument + state_.layer))
             fail(module, "expected a whole number of layers", argument);
         state_.layer += static_cast<int>(argument);
-        layered_ = true;
     }
 
     void check_range(const CompiledModule& module) const {
@@ -142,13 +138,25 @@ class Turtle {
     }
 };
 
+template <class Visit>
+void walk(const Grammar& grammar, const InterpretOptions& options, const Progress& progress, Visit visit) {
+    const CompiledGrammar compiled = compile(grammar);
+    Turtle<Visit> turtle(compiled, options, visit);
+    stream_modules(compiled, options.derive, progress, options.addresses || options.trails, turtle);
+}
+
 }  // namespace
 
 std::vector<Placement> interpret(const Grammar& grammar, const InterpretOptions& options, const Progress& progress) {
-    const CompiledGrammar compiled = compile(grammar);
-    Turtle turtle(compiled, options);
-    stream_modules(compiled, options.derive, progress, options.addresses || options.trails, turtle);
-    return turtle.take_in_paint_order();
+    std::vector<Placement> placements;
+    walk(grammar, options, progress, [&](Placement& placement) { placements.push_back(std::move(placement)); });
+    if (!std::ranges::is_sorted(placements, {}, &Placement::layer)) std::ranges::stable_sort(placements, {}, &Placement::layer);
+    return placements;
+}
+
+void visit_placements(const Grammar& grammar, const InterpretOptions& options,
+                      const std::function<void(const Placement&)>& visit, const Progress& progress) {
+    walk(grammar, options, progress, [&](Placement& placement) { visit(placement); });
 }
 
 }  // namespace rinceau

@@ -1,6 +1,7 @@
 #pragma once
 // Turtle interpretation: from the grammar (or a string) to placed terminals.
 
+#include <functional>
 #include <vector>
 
 #include "geometry/similarity.h"
@@ -40,5 +41,10 @@ struct InterpretOptions {
 /// origin, heading +y, scale 1, layer 0. Symbols that are neither commands nor terminals draw nothing.
 /// Throws as derive(), and InputError for ] without [, for a scale that is not positive, and unknown style numbers.
 std::vector<Placement> interpret(const Grammar& grammar, const InterpretOptions& options = {}, const Progress& progress = {});
+
+/// The same without a list: `visit` gets each placement in order of derivation, before layers are sorted. The reference holds
+/// during the call only.
+void visit_placements(const Grammar& grammar, const InterpretOptions& options,
+                      const std::function<void(const Placement&)>& visit, const Progress& progress = {});
 
 }  // namespace rinceau

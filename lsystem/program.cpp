@@ -67,7 +67,7 @@ Instruction name_instruction(const std::string& name, const Scope& scope, const 
     if (parameter != scope.parameters.end()) {
         return {Instruction::Op::slot, Op::number, static_cast<int>(parameter - scope.parameters.begin())};
     }
-    const auto constant = std::ranges::find(scope.constants, name, &std::pair<std::string, double>::first);
+    const auto constant = scope.constants.find(name);
     if (constant != scope.constants.end()) return {Instruction::Op::number, Op::number, 0, constant->second};
     const std::optional<double> known = named_constant(name);
     if (known) return {Instruction::Op::number, Op::number, 0, *known};

@@ -3,7 +3,7 @@
 
 #include <span>
 #include <string>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 #include "lsystem/expression.h"
@@ -13,7 +13,7 @@ namespace rinceau {
 /// Names that an expression may use. Parameters come before constants, constants before pi and e.
 struct Scope {
     std::vector<std::string> parameters;  ///< slot numbers are positions
-    std::vector<std::pair<std::string, double>> constants;
+    std::unordered_map<std::string, double> constants;
 };
 
 struct Instruction {

@@ -34,6 +34,11 @@ std::size_t Scanner::position() {
     return at_;
 }
 
+SourcePlace Scanner::place_at(std::size_t position) {
+    last_place_ = place_after(last_place_, text_, position);
+    return place_in(statement_, last_place_);
+}
+
 SourcePlace Scanner::place() { return place_at(position()); }
 
 bool Scanner::peek(std::string_view token) {

@@ -40,7 +40,8 @@ class Scanner {
 
     std::size_t position();
     SourcePlace place();
-    SourcePlace place_at(std::size_t position) const { return place_in(statement_, position); }
+    /// Of an offset in the statement's text; for rising offsets the whole text is read through once.
+    SourcePlace place_at(std::size_t position);
     [[noreturn]] void fail(std::string_view expected);
     const Statement& statement() const { return statement_; }
 
@@ -48,6 +49,7 @@ class Scanner {
     const Statement& statement_;
     std::string_view text_;
     std::size_t at_ = 0;
+    PlaceInText last_place_;
 
     void skip_blanks();
     std::string found() const;

@@ -6,14 +6,19 @@
 
 namespace rinceau {
 
-SourcePlace place_in(const Statement& statement, std::size_t offset) {
-    const std::string_view before = std::string_view(statement.text).substr(0, offset);
-    const std::size_t line_start = before.rfind('\n');
-    SourcePlace place = statement.place;
-    place.line += static_cast<int>(std::ranges::count(before, '\n'));
-    place.column =
-        static_cast<int>(line_start == std::string_view::npos ? before.size() : before.size() - line_start - 1) + 1;
-    return place;
+PlaceInText place_after(PlaceInText from, std::string_view text, std::size_t offset) {
+    if (offset < from.offset) from = {};
+    for (; from.offset < offset; ++from.offset) {
+        if (text[from.offset] != '\n') continue;
+        ++from.lines_before;
+        from.line_start = from.offset + 1;
+    }
+    return from;
+}
+
+SourcePlace place_in(const Statement& statement, const PlaceInText& place) {
+    return {statement.place.file, statement.place.line + place.lines_before,
+            static_cast<int>(place.offset - place.line_start) + 1};
 }
 
 std::vector<std::string> comment_lines(const std::string& comment) {

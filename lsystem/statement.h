@@ -27,8 +27,18 @@ struct StatementList {
 
 StatementList split_statements(std::string_view text, const std::string& file_name);
 
-/// The place of an offset in a statement's text.
-SourcePlace place_in(const Statement& statement, std::size_t offset);
+/// An offset in a text with the line that it is in.
+struct PlaceInText {
+    std::size_t offset = 0;
+    std::size_t line_start = 0;
+    int lines_before = 0;
+};
+
+/// The place of an offset, found from that of another in time proportional to the way forward (to the whole way from the
+/// start, for one that lies before).
+PlaceInText place_after(PlaceInText from, std::string_view text, std::size_t offset);
+
+SourcePlace place_in(const Statement& statement, const PlaceInText& place);
 
 /// The lines of a comment; none for an empty one.
 std::vector<std::string> comment_lines(const std::string& comment);

@@ -171,7 +171,9 @@ class ModuleStream {
     }
 
     std::span<const double> arguments_of(const Frame& frame, const CompiledModule& module) {
-        if (module.constant) return module.values;
+        if (module.constant) {
+            return {grammar_.values.data() + module.first_value, static_cast<std::size_t>(module.argument_count)};
+        }
         arguments_.clear();
         for (const Program& argument : module.arguments) {
             const double value = evaluate(argument, values_.data() + frame.values, scratch_.data());
