@@ -1,24 +1,31 @@
 #include "analyzer/overlaps.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 
-#include "analyzer/painted_outline.h"
+#include "analyzer/translation_classes.h"
+#include "analyzer/visible_order.h"
 #include "geometry/box_tree.h"
 
 namespace rinceau {
 namespace {
 
-/// Share of the margin by which polylines may stray from their curves: two of them stay well inside it.
-constexpr double deviation_in_margins = 0.25;
-/// No margin is wider than this share of the element's own box, so that small things with small gaps stay apart.
-constexpr double margin_in_sizes = 0.05;
+/// No pixel is wider than this share of an element's diagonal.
+constexpr double pixel_in_diagonals = 0.25;
+/// In pixels of the picture; keeps the polylines of specks finite.
+constexpr double least_pixel = 1e-3;
+/// Regions that come this near share pixels.
+constexpr double touching_in_pixels = 0.5;
+/// Copies that differ by less than this share of a pixel are one class, pairs of classes as near in position one case.
+constexpr double quantum_in_pixels = 1.0 / 64;
 /// Pairs of meeting boxes that are looked at for each pair that may be kept.
 constexpr std::size_t candidates_per_pair = 4;
-
-/// In margins; keeps the polylines of specks finite.
-constexpr double least_margin = 1e-3;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr Box everywhere{{-unbounded, -unbounded}, {unbounded, unbounded}};
@@ -39,25 +46,63 @@ std::optional<Color> only_color(const Element& element) {
     return fills ? *fill : *stroke;
 }
 
+enum class OrderMatters : std::uint8_t { no, faintly, visibly };
+
+/// Two classes and the offset between them, in quanta.
+using PairCase = std::array<std::int64_t, 4>;
+
+struct PairCaseHash {
+    std::size_t operator()(const PairCase& key) const {
+        std::uint64_t hash = 0;
+        constexpr std::uint64_t odd = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio: spreads neighbouring numbers
+        for (const std::int64_t part : key) hash = (std::rotl(hash, 23) ^ static_cast<std::uint64_t>(part)) * odd;
+        return static_cast<std::size_t>(hash ^ (hash >> 32));
+    }
+};
+
 /// What the search knows of each element; outlines are made when they are first asked for.
 struct Search {
     const Scene& scene;
-    std::vector<double> margins;
-    std::vector<Box> boxes;  ///< grown by the margin; empty for what paints nothing
+    double quantum = 1;
+    bool antialiasing = true;
+    std::size_t samples_left = 0;
+    std::vector<double> pixels;
+    std::vector<Box> boxes;  ///< empty for what paints nothing
     std::vector<std::optional<Color>> colors;
-    std::vector<std::optional<PaintedOutline>> outlines;
+    std::vector<int> classes;
+    std::vector<bool> has_copies;
+    std::vector<std::optional<PaintedElement>> painted;
+    std::unordered_map<PairCase, OrderMatters, PairCaseHash> known;
 };
 
-Search start_search(const Scene& scene, double margin) {
-    Search search{scene, {}, {}, {}, {}};
-    search.outlines.resize(scene.elements.size());
+double picture_pixel(const Scene& scene, double picture_width) {
+    double across = width(scene.viewport);
+    if (!(across > 0)) across = drawing_diagonal(scene);
+    return across / picture_width;
+}
+
+std::vector<bool> shared_numbers(const std::vector<int>& classes) {
+    std::vector<int> members;
+    for (const int number : classes) {
+        members.resize(std::max(members.size(), static_cast<std::size_t>(number) + 1));
+        ++members[static_cast<std::size_t>(number)];
+    }
+    std::vector<bool> shared;
+    for (const int number : classes) shared.push_back(members[static_cast<std::size_t>(number)] > 1);
+    return shared;
+}
+
+Search start_search(const Scene& scene, const OverlapOptions& options) {
+    const double pixel = picture_pixel(scene, options.picture_width);
+    Search search{.scene = scene, .quantum = quantum_in_pixels * pixel, .antialiasing = options.antialiasing, .samples_left = options.max_samples};
+    search.classes = translation_classes(scene, search.quantum);
+    search.has_copies = shared_numbers(search.classes);
+    search.painted.resize(scene.elements.size());
     for (const Element& element : scene.elements) {
         Box box = paints(element) ? painted_box(element) : Box{};
-        const double own_margin = std::clamp(margin_in_sizes * diagonal(box), least_margin * margin, margin);
-        box = grown(box, own_margin);
+        search.pixels.push_back(std::clamp(pixel_in_diagonals * diagonal(box), least_pixel * pixel, pixel));
         if (!element.verbatim.empty() && is_empty(box)) box = everywhere;
-        search.margins.push_back(own_margin);
-        search.boxes.push_back(box);
+        search.boxes.push_back(grown(box, touching_in_pixels / 2 * search.pixels.back()));
         search.colors.push_back(is_empty(box) ? std::nullopt : only_color(element));
     }
     return search;
@@ -67,29 +112,51 @@ bool order_hidden(const Search& search, std::size_t i, std::size_t j) {
     return search.colors[i] && search.colors[j] && *search.colors[i] == *search.colors[j];
 }
 
-const PaintedOutline& outline_of(Search& search, std::size_t i) {
-    if (!search.outlines[i]) {
-        search.outlines[i] = painted_outline(search.scene.elements[i], deviation_in_margins * search.margins[i]);
-    }
-    return *search.outlines[i];
+const PaintedElement& painted(Search& search, std::size_t i) {
+    if (!search.painted[i]) search.painted[i] = painted_element(search.scene.elements[i], sampling_deviation(search.pixels[i]));
+    return *search.painted[i];
 }
 
-/// Do elements with meeting boxes touch?
-bool elements_touch(Search& search, std::size_t i, std::size_t j) {
-    const Element& a = search.scene.elements[i];
-    const Element& b = search.scene.elements[j];
-    if (!a.verbatim.empty() || !b.verbatim.empty()) return true;
-    // Never less than what both polylines may stray: no true overlap is missed.
-    const double strays = deviation_in_margins * (search.margins[i] + search.margins[j]);
-    const double margin = std::max(std::min(search.margins[i], search.margins[j]), strays);
-    return paint_touches(outline_of(search, i), outline_of(search, j), margin);
+PairCase case_of(const Search& search, std::size_t i, std::size_t j) {
+    const Point offset = search.scene.elements[j].paths.front().start - search.scene.elements[i].paths.front().start;
+    return {search.classes[i], search.classes[j], std::llround(offset.x / search.quantum), std::llround(offset.y / search.quantum)};
+}
+
+double pixel_of(const Search& search, std::size_t i, std::size_t j) { return std::min(search.pixels[i], search.pixels[j]); }
+
+OrderMatters look_at_pair(Search& search, std::size_t i, std::size_t j) {
+    const double pixel = pixel_of(search, i, j);
+    const PaintedElement& a = painted(search, i);
+    const PaintedElement& b = painted(search, j);
+    if (!paint_touches(a.outline, b.outline, touching_in_pixels * pixel)) return OrderMatters::no;
+    if (search.antialiasing) return OrderMatters::visibly;
+    const bool too_thin = too_thin_to_see(a.outline.box, b.outline.box, pixel);
+    if (!too_thin && search.samples_left > 0) {
+        const VisibleOrder order = visible_order(a, b, pixel);
+        search.samples_left -= std::min(search.samples_left, order.samples);
+        if (order.visible) return OrderMatters::visibly;
+    }
+    return too_thin || search.samples_left > 0 ? OrderMatters::faintly : OrderMatters::visibly;
+}
+
+/// For two elements with meeting boxes.
+OrderMatters order_matters(Search& search, std::size_t i, std::size_t j) {
+    const std::vector<Element>& elements = search.scene.elements;
+    if (!elements[i].verbatim.empty() || !elements[j].verbatim.empty()) return OrderMatters::visibly;
+    if (!search.has_copies[i] || !search.has_copies[j]) return look_at_pair(search, i, j);
+    const PairCase pair_case = case_of(search, i, j);
+    const auto known = search.known.find(pair_case);
+    if (known != search.known.end()) return known->second;
+    const OrderMatters matters = look_at_pair(search, i, j);
+    search.known.emplace(pair_case, matters);
+    return matters;
 }
 
 OverlapPair pair_of(std::size_t i, std::size_t j) {
     return {static_cast<int>(std::min(i, j)), static_cast<int>(std::max(i, j))};
 }
 
-/// Pairs of meeting boxes whose order can be seen; nothing if there are more than `limit`.
+/// Pairs of meeting boxes whose order colour alone does not hide; nothing if there are more than `limit`.
 std::optional<std::vector<OverlapPair>> meeting_boxes(const Search& search, std::size_t limit) {
     std::vector<Box> bounded = search.boxes;
     std::vector<OverlapPair> pairs;
@@ -133,7 +200,7 @@ void keep_nearest_in_order(std::vector<OverlapPair>& pairs, std::size_t count) {
 }  // namespace
 
 Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options) {
-    Search search = start_search(scene, options.margin * drawing_diagonal(scene));
+    Search search = start_search(scene, options);
     const std::size_t limit = candidates_per_pair * options.max_pairs;
     Overlaps found;
     std::vector<OverlapPair> candidates;
@@ -144,14 +211,15 @@ Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options) {
         candidates = meeting_boxes_within(search, std::max<std::size_t>(1, limit / scene.elements.size()));
     }
     for (const OverlapPair& pair : candidates) {
-        if (elements_touch(search, static_cast<std::size_t>(pair.lower), static_cast<std::size_t>(pair.upper))) {
-            found.pairs.push_back(pair);
-        }
+        const OrderMatters matters = order_matters(search, static_cast<std::size_t>(pair.lower), static_cast<std::size_t>(pair.upper));
+        if (matters == OrderMatters::visibly) found.pairs.push_back(pair);
+        if (matters == OrderMatters::faintly) found.faint.push_back(pair);
     }
     const auto by_upper = [](const OverlapPair& a, const OverlapPair& b) {
         return a.upper != b.upper ? a.upper < b.upper : a.lower < b.lower;
     };
     std::sort(found.pairs.begin(), found.pairs.end(), by_upper);
+    std::sort(found.faint.begin(), found.faint.end(), by_upper);
     if (found.pairs.size() > options.max_pairs) {
         found.complete = false;
         keep_nearest_in_order(found.pairs, options.max_pairs);

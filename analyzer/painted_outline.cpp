@@ -8,12 +8,13 @@
 namespace rinceau {
 namespace {
 
-/// Up to this many edges trying each is faster than asking a tree.
-constexpr std::size_t edges_without_tree = 24;
 /// A mitre that reaches no further than this many half widths stays inside what its two edges paint, nearly.
 constexpr double plain_corner = 1.05;
 
-Box box_of(const ThickEdge& edge) { return grown(including(including(Box{}, edge.from), edge.to), edge.radius); }
+/// How far to the sides it paints.
+double breadth(const ThickEdge& edge) { return edge.tip_slope > 0 ? edge.tip_slope * abs(edge.to - edge.from) : edge.radius; }
+
+Box box_of(const ThickEdge& edge) { return grown(including(including(Box{}, edge.from), edge.to), breadth(edge)); }
 
 /// Largest stretch of a circle by the pen.
 double largest_stretch(const Linear2& m) {
@@ -31,7 +32,8 @@ void append_mitre(std::vector<ThickEdge>& edges, Point before, Point at, Point a
     if (half_sine <= 0 || abs(outward) <= 0) return;
     const double reach = 1 / half_sine;
     if (reach <= plain_corner || reach > limit) return;
-    edges.push_back({at, at + radius * reach * unit(outward), 0});
+    const double slope = 1 / std::sqrt(reach * reach - 1);
+    edges.push_back({at, at + radius * reach * unit(outward), 0, slope});
 }
 
 void append_stroke_tips(std::vector<ThickEdge>& edges, const std::vector<Point>& line, bool closed, const Stroke& stroke,
@@ -59,35 +61,20 @@ void append_outline(PaintedOutline& region, const std::vector<Point>& line, bool
     else if (region.solid) region.edges.push_back({line.back(), line.front(), 0});
 }
 
-bool contains_point(const PaintedOutline& region, Point p) {
-    if (!region.solid || !overlap(region.box, {p, p})) return false;
-    int winding = 0;
-    int crossings = 0;
-    const auto cross_ray = [&](std::size_t i) {
-        if (i >= region.outline_edges) return true;
-        const ThickEdge& edge = region.edges[i];
-        const bool up = edge.from.y <= p.y && edge.to.y > p.y;
-        const bool down = edge.to.y <= p.y && edge.from.y > p.y;
-        const double side = cross(edge.to - edge.from, p - edge.from);
-        if ((up && side > 0) || (down && side < 0)) {
-            winding += up ? 1 : -1;
-            ++crossings;
-        }
-        return true;
-    };
-    if (region.edges.size() > edges_without_tree) {
-        region.tree.visit({p, {std::numeric_limits<double>::infinity(), p.y}}, cross_ray);
-    } else {
-        for (std::size_t i = 0; i < region.outline_edges; ++i) cross_ray(i);
-    }
-    return region.fill_rule == FillRule::nonzero ? winding != 0 : crossings % 2 != 0;
-}
-
 bool edges_touch(const ThickEdge& a, const ThickEdge& b, double margin) {
     const double reach = a.radius + b.radius + margin;
     return distance_to_segment(a.from, b.from, b.to) <= reach || distance_to_segment(a.to, b.from, b.to) <= reach ||
            distance_to_segment(b.from, a.from, a.to) <= reach || distance_to_segment(b.to, a.from, a.to) <= reach ||
            segment_crossing(a.from, a.to, b.from, b.to).has_value();
+}
+
+/// Separated by the axes or by the edge's own direction, or not.
+bool edge_reaches(const ThickEdge& edge, const Box& box) {
+    if (!overlap(box_of(edge), box)) return false;
+    const Point along = edge.to - edge.from;
+    const double side = cross(along, center(box) - edge.from);
+    const double half = (std::abs(along.y) * width(box) + std::abs(along.x) * height(box)) / 2;
+    return std::abs(side) <= half + breadth(edge) * abs(along);
 }
 
 bool touches_any_edge(const PaintedOutline& region, const ThickEdge& probe, double margin) {
@@ -106,18 +93,39 @@ bool touches_any_edge(const PaintedOutline& region, const ThickEdge& probe, doub
 
 bool any_start_inside(const PaintedOutline& inner, const PaintedOutline& outer) {
     for (const Point p : inner.starts) {
-        if (contains_point(outer, p)) return true;
+        if (fills_point(outer, p)) return true;
     }
     return false;
 }
 
 }  // namespace
 
+bool fills_point(const PaintedOutline& region, Point p) {
+    if (!region.solid || !overlap(region.box, {p, p})) return false;
+    int winding = 0;
+    visit_edges(region, {p, {std::numeric_limits<double>::infinity(), p.y}}, [&](std::size_t i) {
+        if (i >= region.outline_edges) return true;
+        const ThickEdge& edge = region.edges[i];
+        const bool up = edge.from.y <= p.y && edge.to.y > p.y;
+        const bool down = edge.to.y <= p.y && edge.from.y > p.y;
+        const double side = cross(edge.to - edge.from, p - edge.from);
+        if ((up && side > 0) || (down && side < 0)) winding += up ? 1 : -1;
+        return true;
+    });
+    return region.fill_rule == FillRule::nonzero ? winding != 0 : winding % 2 != 0;
+}
+
+bool edges_reach(const PaintedOutline& region, const Box& box) {
+    bool reached = false;
+    visit_edges(region, box, [&](std::size_t i) { return !(reached = edge_reaches(region.edges[i], box)); });
+    return reached;
+}
+
 PaintedOutline painted_outline(const Element& element, double deviation) {
     const Stroke& stroke = element.style.stroke;
     const bool stroked = paints_stroke(element.style);
     const double radius = stroked ? stroke.width / 2 * largest_stretch(stroke.pen) : 0;
-    PaintedOutline region{.box = painted_box(element), .solid = paints_fill(element.style), .fill_rule = element.style.fill_rule};
+    PaintedOutline region{.box = painted_box(element), .solid = paints_fill(element.style), .fill_rule = element.style.fill_rule, .stroke_radius = radius};
     std::vector<ThickEdge> tips;
     for (const Path& path : element.paths) {
         const std::vector<Point> line = flattened(path, deviation);

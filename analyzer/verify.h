@@ -20,7 +20,7 @@ struct Verification {
     int surplus = 0;           ///< drawn elements that the scene does not have
     int displaced = 0;         ///< drawn, but further off than the tolerance (up to four times as far; beyond, it is unmatched)
     int wrong_style = 0;       ///< drawn in the right place in another style
-    int wrong_order = 0;       ///< overlapping pairs, painted differently, in the wrong order
+    int wrong_order = 0;       ///< overlapping pairs, painted differently, in the wrong order (overlaps.h)
     double max_deviation = 0;  ///< of outlines, share of the diagonal, over matched elements
     double rms_deviation = 0;
     std::vector<int> faulty;   ///< scene elements that are unmatched, displaced, wrong in style or in order; rising, no repeats
@@ -28,7 +28,7 @@ struct Verification {
 };
 
 /// Derives the grammar afresh and compares outline by outline (both ways, along the curves), style by style, and the paint
-/// order of every overlapping pair for which the order can be seen. Passed = all counts of faults are 0.
+/// order of every pair that find_overlaps lists: those whose order a picture 900 pixels wide shows. Passed = all counts of faults are 0.
 Verification verify(const Grammar& grammar, const Scene& scene, const VerifyOptions& options = {});
 
 }  // namespace rinceau
