@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <future>
+#include <thread>
 
 #include "analyzer/generate_rules.h"
 #include "analyzer/grammar_bits.h"
@@ -92,6 +94,30 @@ std::vector<double> tolerances(const AnalyzeOptions& options) {
     return {std::begin(tolerance_ladder), std::end(tolerance_ladder)};
 }
 
+/// One description for each tolerance, in their order, on as many threads as there may be.
+std::vector<Description> describe_all(const Drawing& drawing, const std::vector<double>& tolerances,
+                                      const SearchOptions& search, int threads, const Progress& progress) {
+    const auto describe_at = [&](double tolerance, const Progress& told) {
+        SearchState state = starting_state(drawing.instancing, {tolerance, tolerance, PoseTolerance{}.per_distance}, drawing.diagonal);
+        state = generate_rules(std::move(state), search, told);
+        return describe(drawing, std::move(state.rules), tolerance);
+    };
+    const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const auto together = static_cast<std::size_t>(threads > 0 ? threads : available);
+    std::vector<Description> descriptions;
+    for (std::size_t begin = 0; begin < tolerances.size(); begin += together) {
+        // The calling thread takes the first of each batch and is the only one that tells of its progress.
+        const std::size_t end = std::min(tolerances.size(), begin + together);
+        std::vector<std::future<Description>> others;
+        for (std::size_t k = begin + 1; k < end; ++k) {
+            others.push_back(std::async(std::launch::async, describe_at, tolerances[k], Progress{}));
+        }
+        descriptions.push_back(describe_at(tolerances[begin], progress));
+        for (auto& other : others) descriptions.push_back(other.get());
+    }
+    return descriptions;
+}
+
 }  // namespace
 
 Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
@@ -123,11 +149,7 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     std::vector<Description> descriptions;
     SearchOptions search;
     search.weights = options.weights;
-    for (const double tolerance : tolerances(options)) {
-        SearchState state = starting_state(instancing, {tolerance, tolerance, PoseTolerance{}.per_distance}, drawing.diagonal);
-        state = generate_rules(std::move(state), search, progress);
-        descriptions.push_back(describe(drawing, std::move(state.rules), tolerance));
-    }
+    descriptions = describe_all(drawing, tolerances(options), search, options.threads, progress);
     std::ranges::stable_sort(descriptions, {}, [](const Description& d) { return d.bits.grammar; });
     std::erase_if(descriptions, [&](const Description& d) { return d.bits.grammar >= flat.bits.grammar; });
     descriptions.push_back(std::move(flat));

@@ -24,7 +24,8 @@ constexpr double directed_bits = 10;         // saying that the heading follows 
 constexpr double closing_credit = 26;        // the last pair of groups joins even at this loss, so that the axiom is one symbol
 constexpr std::size_t closing_groups = 3;
 constexpr double ambiguity_price = 0.75;
-constexpr double false_alarm_bits = -4;
+constexpr double false_alarm_bits = -7;
+constexpr double link_hope = 1.5;  // links that a sequence may have for each vote of neighbours
 constexpr double link_slack = 2;  // votes are clustered at the tolerance, links accepted at twice that (hysteresis)
 
 PoseTolerance link_tolerance(const SearchState& state) {
@@ -176,20 +177,35 @@ Tally tally(const SearchState& state, const std::vector<Chain>& chains, const Si
     return sum;
 }
 
-/// Could chance alone have put so many pairs into one place of the space?
-bool is_false_alarm(const SearchState& state, const Hypothesis& hypothesis, const Tally& sum) {
-    constexpr double few_pairs = 8;
-    constexpr std::size_t telling_length = 4;
-    if (sum.pairs > few_pairs || sum.longest >= telling_length) return false;
-    const double reach = hypothesis.reach;
-    const double shift = state.tolerance.size * (1 + state.tolerance.per_distance * reach);
+/// Probability that an item of the part stands by chance where a link looks for one.
+double chance_of_link(const SearchState& state, const Hypothesis& hypothesis) {
     const PartCost& cost = state.cost(hypothesis.to);
-    const double volume = 2 * std::log2(std::max(2.0, reach / shift)) + cost.angle_bits + cost.scale_bits;
-    const double n = sum.pairs;
-    const double expected = n * std::log2(std::max(1.0, hypothesis.votes_in_space)) - std::lgamma(n + 1) / std::log(2.0) -
-                            (n - 1) * volume;
-    return expected > false_alarm_bits;
+    const double sides = cost.neighbour_distance / state.cost(hypothesis.from).size;  // in sizes of `from`
+    const double density = 0.25 / (sides * sides);  // of random points with that mean distance to the nearest
+    const double reach = abs(hypothesis.step.translation);
+    const double shift = link_slack * state.tolerance.shift(1, reach);
+    // Pairs of undirected parts look anywhere on a circle, everything else at a point.
+    const double area = hypothesis.pairs_only || (hypothesis.directed && hypothesis.kind == RuleKind::group)
+                            ? two_pi * 2 * reach * shift
+                            : pi * shift * shift;
+    return std::min(0.5, density * area) * std::exp2(-cost.angle_bits - cost.scale_bits);
 }
+
+}  // namespace
+
+/// Expected number, as a power of two, of such findings in a drawing without structure: the first link is anyone's (the
+/// second as well where it sets the turn), each further one a coincidence, each further chain may begin anywhere.
+double log2_chance(const SearchState& state, const Hypothesis& hypothesis, double links, double chains) {
+    const double given = hypothesis.directed && !hypothesis.pairs_only && hypothesis.kind != RuleKind::group ? 2
+                         : hypothesis.kind == RuleKind::linear                                           ? 2
+                                                                                                         : 1;
+    const double beginnings = static_cast<double>(state.alive(hypothesis.from).size());
+    return std::log2(std::max(1.0, hypothesis.votes_in_space)) +
+           std::max(0.0, links - given) * std::log2(chance_of_link(state, hypothesis)) +
+           (chains - 1) * std::log2(beginnings) - std::lgamma(chains) / std::log(2.0);
+}
+
+namespace {
 
 int known_rule(const SearchState& state, const Hypothesis& hypothesis, const Similarity& step) {
     if (hypothesis.kind != RuleKind::sequence) return -1;
@@ -215,9 +231,11 @@ bool closes_the_scene(const SearchState& state, const Hypothesis& hypothesis, co
 }  // namespace
 
 double optimistic_score(const SearchState& state, const Hypothesis& hypothesis) {
+    const bool closing = state.part(hypothesis.from).rule >= 0 && state.alive(hypothesis.from).size() <= closing_groups;
+    const auto votes = static_cast<double>(hypothesis.votes.size());
+    if (!closing && log2_chance(state, hypothesis, link_hope * votes, 1) > false_alarm_bits) return 0;
     const double pairs = static_cast<double>(std::min(hypothesis.votes.size(), state.alive(hypothesis.from).size()));
-    // Sequences may reach farther than the votes of neighbours: half as much again.
-    return 1.5 * pairs * state.cost(hypothesis.to).item_bits + (pairs <= closing_groups ? closing_credit : 0);
+    return link_hope * pairs * state.cost(hypothesis.to).item_bits + (pairs <= closing_groups ? closing_credit : 0);
 }
 
 Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis& hypothesis, const SearchOptions& options,
@@ -263,7 +281,7 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
         evaluation.gain = evaluation.score = std::max(evaluation.gain, 1.0);
         return evaluation;
     }
-    if (evaluation.known_rule < 0 && is_false_alarm(state, hypothesis, sum)) {
+    if (evaluation.known_rule < 0 && log2_chance(state, hypothesis, sum.pairs, sum.chains) > false_alarm_bits) {
         evaluation.gain = evaluation.score = -1;
         return evaluation;
     }

@@ -16,6 +16,7 @@ struct Candidate {
     Evaluation evaluation;
     bool evaluated = false;
     long version_from = -1, version_to = -1;  // of the parts when it was evaluated
+    long generation = 0;                      // of its part's proposals, see propose_again
     bool dead = false;
 };
 
@@ -60,15 +61,32 @@ class Search {
             if (bound <= 0) continue;
             queue_.push({bound, candidates_.size()});
             Candidate candidate;
+            candidate.generation = proposals_of(hypothesis.from).generation;
             candidate.hypothesis = std::move(hypothesis);
             candidates_.push_back(std::move(candidate));
         }
     }
 
+    struct Proposals {
+        long generation = 0;
+        std::size_t items = 0;  // that the part had when its sequences were proposed
+    };
+    Proposals& proposals_of(int part) {
+        if (proposals_.size() <= static_cast<std::size_t>(part)) proposals_.resize(static_cast<std::size_t>(part) + 1);
+        return proposals_[static_cast<std::size_t>(part)];
+    }
+
+    void propose_sequences_of(int part) {
+        Proposals& proposals = proposals_of(part);
+        ++proposals.generation;
+        proposals.items = state_.alive(part).size();
+        add(propose_sequences(state_, part));
+    }
+
     void propose_everything() {
         std::vector<int> everything;
         for (std::size_t p = 0; p < state_.members.size(); ++p) {
-            add(propose_sequences(state_, static_cast<int>(p)));
+            propose_sequences_of(static_cast<int>(p));
             everything.insert(everything.end(), state_.members[p].begin(), state_.members[p].end());
         }
         std::ranges::sort(everything);
@@ -80,13 +98,19 @@ class Search {
                candidate.version_to == version(candidate.hypothesis.to);
     }
 
+    /// Sequences of a part are proposed anew when it has changed much; the old ones are then forgotten.
+    bool is_outdated(const Candidate& candidate) {
+        return candidate.hypothesis.kind != RuleKind::group &&
+               candidate.generation != proposals_of(candidate.hypothesis.from).generation;
+    }
+
     /// Takes hypotheses from the queue, best first, evaluating lazily, until one is worth a rule.
     bool accept_best() {
         while (!queue_.empty()) {
             const Entry entry = queue_.top();
             queue_.pop();
             Candidate& candidate = candidates_[entry.candidate];
-            if (candidate.dead || entry.score <= 0) continue;
+            if (candidate.dead || entry.score <= 0 || is_outdated(candidate)) continue;
             if (!is_current(candidate)) {
                 candidate.evaluation = evaluate(state_, grids_, candidate.hypothesis, options_, queue_.size());
                 candidate.evaluated = true;
@@ -123,7 +147,12 @@ class Search {
 
     void propose_anew(const Substitution& made) {
         // Parts that lost items: the hypotheses about what is left may have been hidden before.
-        for (const int part : made.touched_parts) add(propose_sequences(state_, part));
+        constexpr std::size_t small_part = 40;
+        for (const int part : made.touched_parts) {
+            const std::size_t left = state_.alive(part).size(), before = proposals_of(part).items;
+            const bool much_the_same = left <= before && left > small_part && 5 * left >= 4 * before;
+            if (!much_the_same) propose_sequences_of(part);
+        }
         add(propose_groups(state_, made.new_items));
     }
 
@@ -134,6 +163,7 @@ class Search {
     std::vector<Candidate> candidates_;
     std::priority_queue<Entry> queue_;
     std::vector<long> versions_;
+    std::vector<Proposals> proposals_;
     double consumed_ = 0;
 };
 

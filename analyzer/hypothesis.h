@@ -19,7 +19,6 @@ struct Hypothesis {
     double spin_change = 0;
     std::vector<std::pair<int, int>> votes;  ///< (item of `from`, item of `to`)
     double votes_in_space = 0;  ///< all votes of the space that it was found in
-    double reach = 1;           ///< largest distance of a vote there, in sizes of `from`
 };
 
 }  // namespace rinceau

@@ -45,25 +45,15 @@ std::vector<std::vector<int>> neighbour_lists(const SearchState& state, const st
     return lists;
 }
 
-struct Space {
-    double votes = 0;
-    double reach = 1;
-    void see(const Similarity& step) {
-        ++votes;
-        reach = std::max(reach, abs(step.translation));
-    }
-};
-
 void add_hypotheses(std::vector<Hypothesis>& hypotheses, const Hypothesis& pattern, const std::vector<StepCluster>& clusters,
-                    const Space& space) {
+                    std::size_t votes_in_space) {
     for (const StepCluster& cluster : clusters) {
         Hypothesis hypothesis = pattern;
         hypothesis.step = cluster.step;
         hypothesis.turn_change = cluster.turn_change;
         hypothesis.spin_change = cluster.spin_change;
         for (const StepVote& vote : cluster.votes) hypothesis.votes.emplace_back(vote.source, vote.target);
-        hypothesis.votes_in_space = space.votes;
-        hypothesis.reach = space.reach;
+        hypothesis.votes_in_space = static_cast<double>(votes_in_space);
         hypotheses.push_back(std::move(hypothesis));
     }
 }
@@ -77,18 +67,16 @@ void propose_constant_steps(const SearchState& state, int p, const std::vector<s
     const std::vector<int>& items = state.alive(p);
     const VoteCell cell = vote_cell(state, p);
     StepVotes votes;
-    Space space;
     for (std::size_t k = 0; k < items.size(); ++k) {
         for (const int j : neighbours[k]) {
             const Similarity step = step_between(state.item(items[k]).pose, state.item(j).pose);
             if (part.symmetry.continuous && abs(step.translation) > still_of(state)) continue;
             const Similarity canonical = canonical_step(part, part, step, still_of(state));
             votes.add({canonical, items[k], j}, step_coordinates(canonical, cell));
-            space.see(step);
         }
     }
     const std::size_t least = items.size() <= few_items ? 1 : 2;
-    add_hypotheses(hypotheses, {RuleKind::sequence, p, p}, votes.clusters(least, most_sequences), space);
+    add_hypotheses(hypotheses, {RuleKind::sequence, p, p}, votes.clusters(least, most_sequences), votes.size());
 }
 
 /// Parts without direction: pairs (distance and size) and triples (turn as well).
@@ -99,7 +87,6 @@ void propose_directed_steps(const SearchState& state, int p, const std::vector<s
     for (std::size_t k = 0; k < items.size(); ++k) slot[items[k]] = k;
     const VoteCell cell = vote_cell(state, p);
     StepVotes pairs, triples;
-    Space pair_space, triple_space;
     for (std::size_t k = 0; k < items.size(); ++k) {
         const Similarity& a = state.item(items[k]).pose;
         for (const int j : neighbours[k]) {
@@ -109,7 +96,6 @@ void propose_directed_steps(const SearchState& state, int p, const std::vector<s
             const double growth = scale_of(b) / scale_of(a);
             if (advance <= still_of(state)) continue;
             const Similarity pair{{growth, 0}, {0, advance}, false};
-            pair_space.see(pair);
             if (growth <= 1 + state.tolerance.angle) pairs.add({pair, items[k], j}, step_coordinates(pair, cell));
             const auto& onward = neighbours[slot[j]];
             for (std::size_t n = 0; n < std::min(onward.size(), neighbours_for_triples); ++n) {
@@ -124,17 +110,16 @@ void propose_directed_steps(const SearchState& state, int p, const std::vector<s
                 // Walked the other way, an even chain turns the other way.
                 if (turn < -state.tolerance.angle && std::abs(growth - 1) <= state.tolerance.angle) continue;
                 const Similarity step{polar(growth, turn), {0, advance}, false};
-                triple_space.see(step);
                 triples.add({step, items[k], j}, step_coordinates(step, cell));
             }
         }
     }
     Hypothesis pattern{RuleKind::sequence, p, p};
     pattern.directed = true;
-    add_hypotheses(hypotheses, pattern, triples.clusters(1, most_sequences), triple_space);
+    add_hypotheses(hypotheses, pattern, triples.clusters(1, most_sequences), triples.size());
     pattern.pairs_only = true;
     const std::size_t least = items.size() <= few_items ? 1 : 2;
-    add_hypotheses(hypotheses, pattern, pairs.clusters(least, most_sequences), pair_space);
+    add_hypotheses(hypotheses, pattern, pairs.clusters(least, most_sequences), pairs.size());
 }
 
 /// Steps of constant d and s whose alpha and beta grow evenly (eq. 4).
@@ -146,7 +131,6 @@ void propose_linear_steps(const SearchState& state, int p, const std::vector<std
     for (std::size_t k = 0; k < items.size(); ++k) slot[items[k]] = k;
     const VoteCell cell = vote_cell(state, p);
     StepVotes votes;
-    Space space;
     for (std::size_t k = 0; k < items.size(); ++k) {
         for (std::size_t n = 0; n < std::min(neighbours[k].size(), neighbours_for_triples); ++n) {
             const int j = neighbours[k][n];
@@ -165,11 +149,10 @@ void propose_linear_steps(const SearchState& state, int p, const std::vector<std
                 if (std::abs(turn_change) + std::abs(spin_change) < 2 * state.tolerance.angle) continue;
                 const StepVote vote{first, items[k], j, turn_change, spin_change};
                 votes.add(vote, linear_coordinates(vote, cell));
-                space.see(first);
             }
         }
     }
-    add_hypotheses(hypotheses, {RuleKind::linear, p, p}, votes.clusters(2, most_sequences), space);
+    add_hypotheses(hypotheses, {RuleKind::linear, p, p}, votes.clusters(2, most_sequences), votes.size());
 }
 
 }  // namespace
@@ -202,7 +185,6 @@ bool leads(const SearchState& state, int a, int b) {
 
 struct PairSpace {
     StepVotes votes;
-    Space space;
     bool directed = false;
 };
 
@@ -242,7 +224,6 @@ std::vector<Hypothesis> propose_groups(const SearchState& state, const std::vect
             const auto at = map.try_emplace(key).first;
             at->second.directed = directed;
             at->second.votes.add({step, from, to}, step_coordinates(step, vote_cell(state, key.second)));
-            at->second.space.see(step);
         }
     }
     for (const auto* map : {&spaces, &directed_spaces}) {
@@ -251,7 +232,7 @@ std::vector<Hypothesis> propose_groups(const SearchState& state, const std::vect
                 std::min(state.alive(key.first).size(), state.alive(key.second).size()) <= few_items ? 1 : 2;
             Hypothesis pattern{RuleKind::group, key.first, key.second};
             pattern.directed = space.directed;
-            add_hypotheses(hypotheses, pattern, space.votes.clusters(least, most_groups), space.space);
+            add_hypotheses(hypotheses, pattern, space.votes.clusters(least, most_groups), space.votes.size());
         }
     }
     return hypotheses;

@@ -28,6 +28,19 @@ double sample_entropy(std::vector<std::int64_t> bins, double cap) {
     return entropy > 0 ? std::min(entropy + 0.5, cap) : 0;
 }
 
+/// Median over a sample of the distance to the nearest other point; `otherwise` if there is none or they coincide.
+double median_nearest(const std::vector<Point>& origins, double otherwise) {
+    if (origins.size() < 2) return otherwise;
+    constexpr std::size_t most_samples = 2000;
+    const std::size_t stride = 1 + origins.size() / most_samples;
+    const KdTree tree(origins);
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < origins.size(); i += stride) distances.push_back(tree.nearest(origins[i], 2).back().distance);
+    std::ranges::nth_element(distances, distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2));
+    const double median = distances[distances.size() / 2];
+    return median > 0 ? median : otherwise;
+}
+
 PartCost part_cost(const SearchState& state, int p, double part_bits) {
     const Part& part = state.part(p);
     const std::vector<int>& items = state.alive(p);
@@ -54,6 +67,9 @@ PartCost part_cost(const SearchState& state, int p, double part_bits) {
     cost.angle_bits = part.symmetry.continuous ? 0 : sample_entropy(std::move(angles), angle_cap);
     constexpr double scale_cap = 10;
     cost.scale_bits = sample_entropy(std::move(scales), scale_cap);
+    std::vector<Point> origins;
+    for (const int i : items) origins.push_back(state.item(i).pose.translation);
+    cost.neighbour_distance = median_nearest(origins, 0.1 * state.diagonal);
     cost.item_bits = 2 * cost.place_bits + cost.angle_bits + cost.scale_bits + part_bits;
     return cost;
 }
@@ -141,15 +157,7 @@ double median_neighbour_distance(const SearchState& state) {
             if (state.item(i).alive) origins.push_back(state.item(i).pose.translation);
         }
     }
-    if (origins.size() < 2) return state.diagonal;
-    constexpr std::size_t most_samples = 2000;
-    const std::size_t stride = 1 + origins.size() / most_samples;
-    const KdTree tree(origins);
-    std::vector<double> distances;
-    for (std::size_t i = 0; i < origins.size(); i += stride) distances.push_back(tree.nearest(origins[i], 2).back().distance);
-    std::ranges::nth_element(distances, distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2));
-    const double median = distances[distances.size() / 2];
-    return median > 0 ? median : 1e-3 * state.diagonal;
+    return median_nearest(origins, 1e-3 * state.diagonal);
 }
 
 }  // namespace

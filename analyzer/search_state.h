@@ -17,6 +17,7 @@ struct PartCost {
     double scale_bits = 0;  ///< ... of the sizes
     double item_bits = 0;   ///< all: two coordinates, angle, scale, which part
     double size = 1;        ///< geometric mean of the items' scales
+    double neighbour_distance = 1;  ///< median distance of an item to the nearest other one of the part
 };
 
 struct SearchState {

@@ -32,7 +32,8 @@ constexpr double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 constexpr double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 /// Squared length.
 constexpr double norm(Point a) { return a.x * a.x + a.y * a.y; }
-inline double abs(Point a) { return std::hypot(a.x, a.y); }
+/// Length; coordinates must stay below 1e150.
+inline double abs(Point a) { return std::sqrt(norm(a)); }
 /// Angle from +x, counter-clockwise, in (-pi, pi]; 0 for the zero vector.
 inline double arg(Point a) { return std::atan2(a.y, a.x); }
 /// Complex quotient; b must not be zero.
