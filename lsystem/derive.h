@@ -24,7 +24,8 @@ struct Module {
 struct DeriveOptions {
     int depth = -1;                          ///< steps of rewriting; -1 = until nothing is left to rewrite
     std::uint64_t seed = 1;                  ///< for stochastic productions
-    std::uint64_t max_modules = 50'000'000;  ///< in the derived string; more -> LimitError naming the production that grew
+    /// In the derived string and rewritten on the way, together; more -> LimitError naming the production that grew.
+    std::uint64_t max_modules = 20'000'000;
     int max_recursion = 100'000;             ///< steps when depth = -1; more -> LimitError naming the production
     double max_seconds = 0;                  ///< 0 = no limit; more -> LimitError naming the production
 };

@@ -10,11 +10,6 @@ int drawn_style_number(const Grammar& grammar, const Placement& placement) {
     return placement.style != 0 ? placement.style : grammar.terminals[static_cast<std::size_t>(placement.terminal)].style;
 }
 
-Style style_of_number(const Grammar& grammar, int number) {
-    const auto found = std::ranges::find(grammar.styles, number, &NumberedStyle::number);
-    return found == grammar.styles.end() ? Style{} : found->style;
-}
-
 namespace {
 
 /// Linear light 0..1 -> sRGB 0..255 (IEC 61966-2-1).

@@ -9,9 +9,6 @@ namespace rinceau {
 /// The number of the style that a placement is drawn in: the one in force, or the terminal's own.
 int drawn_style_number(const Grammar& grammar, const Placement& placement);
 
-/// The style of that number; a default Style for 0 and for a number that the grammar lacks.
-Style style_of_number(const Grammar& grammar, int number);
-
 /// Colours that are easy to tell apart, without end: hues by the golden angle in OKLab, lightness in turn.
 Color distinct_color(int index);
 

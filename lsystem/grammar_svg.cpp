@@ -7,6 +7,7 @@
 #include <map>
 
 #include "lsystem/drawn_style.h"
+#include "lsystem/style_table.h"
 #include "lsystem/to_scene.h"
 #include "scene/svg_write.h"
 
@@ -39,7 +40,7 @@ std::string transform_attribute(const Affine& map) {
 class Writer {
   public:
     Writer(const Grammar& grammar, const std::vector<Placement>& placements, const GrammarSvgOptions& options)
-        : grammar_(grammar), placements_(placements), options_(options) {}
+        : grammar_(grammar), placements_(placements), options_(options), styles_(grammar) {}
 
     std::string write() {
         choose_prefix();
@@ -56,6 +57,7 @@ class Writer {
     const Grammar& grammar_;
     const std::vector<Placement>& placements_;
     GrammarSvgOptions options_;
+    StyleTable styles_;
     std::string prefix_;
     std::vector<double> reach_;
     std::map<Look, LookUse> uses_;
@@ -88,7 +90,7 @@ class Writer {
     /// Of a fixed stroke, so that they are right under `map`.
     std::string stroke_lengths(const Look& look, const Affine& map) const {
         if (!terminal_of(look).verbatim.empty()) return {};
-        const Style style = style_of_number(grammar_, look.style);
+        const Style& style = styles_.style(look.style);
         if (!style.stroke.fixed || !paints_stroke(style)) return {};
         constexpr int digits = 6;  // a millionth of a stroke's width is never seen
         return svg_stroke_lengths(style.stroke, 1 / std::sqrt(std::abs(determinant(map))), digits);
@@ -96,7 +98,7 @@ class Writer {
 
     /// How far from its origin a terminal reaches, with a stroke that follows its scale.
     double reach_of(const Terminal& terminal) const {
-        const Style style = style_of_number(grammar_, terminal.style);
+        const Style& style = styles_.style(terminal.style);
         const Box outline = style.stroke.fixed ? bounds(terminal.paths) : painted_box({terminal.paths, style});
         const Box box = terminal.verbatim.empty() ? outline : terminal.verbatim_box;
         if (is_empty(box)) return terminal.verbatim.empty() ? 0 : std::numeric_limits<double>::infinity();
@@ -180,7 +182,7 @@ class Writer {
     std::string drawn(const Look& look, const Affine& map, const std::string& own_attributes,
                       const std::string& gradient_prefix) {
         const Terminal& terminal = terminal_of(look);
-        Element element{terminal.paths, style_of_number(grammar_, look.style), {}, terminal.verbatim, {}};
+        Element element{terminal.paths, styles_.style(look.style), {}, terminal.verbatim, {}};
         if (look.color >= 0) element.style = recolored(std::move(element.style), distinct_color(look.color));
         const SvgElementText text = svg_element_text(element, gradient_prefix + '-');
         definitions_ += text.definitions;

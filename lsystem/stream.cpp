@@ -34,7 +34,7 @@ int DerivationLimits::most_applied() const {
 }
 
 void DerivationLimits::throw_too_large() const {
-    throw_at(most_applied(), "the limit is " + grouped(options_.max_modules) + " modules");
+    throw_at(most_applied(), "the limit is " + grouped(options_.max_modules) + " modules, rewritten ones included");
 }
 
 void DerivationLimits::throw_too_deep(int production) const {

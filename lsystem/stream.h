@@ -30,11 +30,11 @@ class DerivationLimits {
     DerivationLimits(const CompiledGrammar& grammar, const DeriveOptions& options);
 
     void count_module() {
-        if (++modules_ > options_.max_modules) throw_too_large();
+        if (++work_ > options_.max_modules) throw_too_large();
     }
     void count_application(int production, int generation, std::size_t open) {
         ++applied_[static_cast<std::size_t>(production)];
-        if (++applications_ > options_.max_modules) throw_too_large();
+        count_module();
         if (generation > deepest_ || open > max_open) throw_too_deep(production);
     }
     /// Called now and then.
@@ -47,8 +47,7 @@ class DerivationLimits {
 
     const CompiledGrammar& grammar_;
     DeriveOptions options_;
-    std::uint64_t modules_ = 0;
-    std::uint64_t applications_ = 0;
+    std::uint64_t work_ = 0;  ///< modules that were passed on or rewritten
     std::vector<std::uint64_t> applied_;
     int deepest_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

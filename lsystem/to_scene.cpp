@@ -3,6 +3,7 @@
 #include <map>
 
 #include "lsystem/drawn_style.h"
+#include "lsystem/style_table.h"
 #include "scene/svg_write.h"
 
 namespace rinceau {
@@ -24,7 +25,7 @@ std::string moved_fragment(const std::string& fragment, const Similarity& pose) 
     return "<g transform=\"" + transform + "\">" + fragment + "</g>";
 }
 
-Element placed_element(const Grammar& grammar, const Placement& placement) {
+Element placed_element(const Grammar& grammar, const StyleTable& styles, const Placement& placement) {
     const Terminal& terminal = grammar.terminals[static_cast<std::size_t>(placement.terminal)];
     Element element;
     if (!terminal.verbatim.empty()) {
@@ -33,7 +34,7 @@ Element placed_element(const Grammar& grammar, const Placement& placement) {
         return element;
     }
     element.paths = transformed(terminal.paths, placement.pose);
-    element.style = transformed(style_of_number(grammar, drawn_style_number(grammar, placement)), placement.pose);
+    element.style = transformed(styles.style(drawn_style_number(grammar, placement)), placement.pose);
     element.style.stroke.fixed = false;
     return element;
 }
@@ -44,12 +45,13 @@ Scene to_scene(const Grammar& grammar, const std::vector<Placement>& placements)
     // an id stands for one thing of the picture
     std::map<std::string, int> uses;
     for (const Placement& placement : placements) ++uses[grammar.terminals[static_cast<std::size_t>(placement.terminal)].id];
+    const StyleTable styles(grammar);
     Scene scene;
     scene.viewport = grammar.canvas;
     scene.sized = grammar.sized;
     scene.elements.reserve(placements.size());
     for (const Placement& placement : placements) {
-        Element element = placed_element(grammar, placement);
+        Element element = placed_element(grammar, styles, placement);
         const std::string& id = grammar.terminals[static_cast<std::size_t>(placement.terminal)].id;
         if (!id.empty() && uses[id] == 1) element.id = id;
         scene.elements.push_back(std::move(element));

@@ -134,6 +134,8 @@ TEST_CASE("what does not end is stopped, and the production is named") {
           std::string::npos);
     CHECK(limit_message("axiom: P(60)\nP(m) : m > 0 -> P(m-1) P(m-1)\nP(m) ->\n", small).find("production P at line 3") !=
           std::string::npos);
+    CHECK(limit_message("axiom: P(60)\nP(m) : m > 0 -> P(m-1) P(m-1)\nP(m) ->\n", small).find("limit is 1,000 modules") !=
+          std::string::npos);
     DeriveOptions brief;
     brief.max_seconds = 0.05;
     CHECK(limit_message("axiom: P(60)\nP(m) : m > 0 -> P(m-1) P(m-1)\nP(m) ->\n", brief).find("time limit") !=

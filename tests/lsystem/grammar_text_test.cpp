@@ -1,5 +1,7 @@
 #include "lsystem/grammar_text.h"
 
+#include <sstream>
+
 #include <catch2/catch.hpp>
 
 #include "random_grammar.h"
@@ -105,6 +107,19 @@ TEST_CASE("statements go on in indented lines, and their comments are kept") {
     CHECK(grammar.productions[0].comment == "before\nbehind\nbetween");
     CHECK(grammar.productions[0].successor.size() == 2);
     CHECK(grammar.terminals[0].paths[0].segments[0].to == Point{1, -1});
+}
+
+TEST_CASE("every module of a long string knows where it stands") {
+    std::string text = "lsystem 1\naxiom:";
+    for (int i = 0; i < 2000; ++i) text += i % 3 == 0 ? "\n   A(1,  2 + 3)" : i % 7 == 0 ? "\n # a note\n  B" : "  +( 30 ) C";
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    for (const ModuleTemplate& module : parse_grammar(text).axiom) {
+        const std::string& line = lines.at(static_cast<std::size_t>(module.place.line) - 1);
+        CHECK(line.substr(static_cast<std::size_t>(module.place.column) - 1, module.symbol.size()) == module.symbol);
+    }
+    CHECK(fault_of(text + "  %") == std::to_string(lines.size()) + ':' + std::to_string(lines.back().size() + 3));
 }
 
 TEST_CASE("styles read as in SVG, with y turned up") {

@@ -93,3 +93,21 @@ TEST_CASE("commands that cannot be obeyed are reported") {
     }
     CHECK_THROWS_AS(interpret(parse_grammar("lsystem 1\naxiom: A\nterminal A: style 3")), InputError);
 }
+
+TEST_CASE("placements one by one are those of the list, in order of derivation") {
+    const Grammar grammar = parse_grammar(
+        "lsystem 1\naxiom: P(9) z(-1) A\nP(m) : m > 0 -> [z(m % 3) A] f(2) P(m-1)\nterminal A: path \"M0 0L1 1\"\n");
+    const InterpretOptions options{.addresses = true, .trails = true};
+    std::vector<Placement> visited;
+    visit_placements(grammar, options, [&](const Placement& placement) { visited.push_back(placement); });
+    const std::vector<Placement> listed = interpret(grammar, options);
+    REQUIRE(visited.size() == listed.size());
+    for (const Placement& placement : listed) {
+        const Placement& same = visited.at(static_cast<std::size_t>(placement.order));
+        CHECK(same.order == placement.order);
+        CHECK(same.layer == placement.layer);
+        CHECK(same.pose == placement.pose);
+        CHECK(same.address == placement.address);
+        CHECK(same.trail == placement.trail);
+    }
+}
