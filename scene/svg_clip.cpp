@@ -6,24 +6,17 @@
 
 #include "scene/compound_path.h"
 #include "scene/painted_region.h"
+#include "scene/svg_attribute_check.h"
 #include "scene/svg_number.h"
 #include "scene/svg_outline.h"
 #include "scene/svg_verbatim.h"
 #include "scene/svg_write.h"
 
 namespace rinceau {
-namespace {
-
-struct ClipShape {
-    std::vector<Path> paths;
-    FillRule rule = FillRule::nonzero;
-};
-
-}  // namespace
 
 /// A clip in scene space: what lies in any of the shapes and, if there is one, in `within`.
 struct SvgClip {
-    std::vector<ClipShape> shapes;
+    std::vector<SvgClipShape> shapes;
     std::shared_ptr<const SvgClip> within;
     Region grown, shrunk;  ///< by the tolerance
     Box inner_box;         ///< if the region is an axis-parallel rectangle: that rectangle grown by the tolerance
@@ -38,7 +31,7 @@ bool is_rectangle(const Region& region, const Box& box, double tolerance) {
 
 void settle(SvgClip& clip, double tolerance) {
     Region region;
-    for (const ClipShape& shape : clip.shapes) {
+    for (const SvgClipShape& shape : clip.shapes) {
         Region part = enclosed_region(shape.paths, shape.rule, 0.25 * tolerance);
         region = region.empty() ? std::move(part) : union_of(region, part);
     }
@@ -66,6 +59,7 @@ class ClipReader {
   private:
     bool read_child(SvgContext context, SvgClip& clip) {
         if (!context.style.displayed) return true;
+        check_attributes(reader_, *context.node, context.specified);
         if (!context.style.clip_path.empty()) return false;
         if (context.node->name == "use") return read_use(context, clip);
         if (!is_shape(context.node->name)) return false;
@@ -80,31 +74,14 @@ class ClipReader {
         if (target == nullptr) return true;
         // Only shapes may be used here.
         if (!is_svg(*target) || !is_shape(target->name)) return target->name != "text";
-        context.map = context.map * Affine{1, 0, 0, 1, length_of(context, "x", LengthAxis::x, 0), length_of(context, "y", LengthAxis::y, 0)};
+        context.map =
+            context.map *
+            Affine{1, 0, 0, 1, length_of(context, "x", LengthAxis::x, 0), length_of(context, "y", LengthAxis::y, 0)};
         return read_child(enter(reader_, context, *target), clip);
     }
 
     SvgReader& reader_;
 };
-
-/// The box in user space that units of the object refer to; nothing if it cannot be told.
-std::optional<Box> object_box(SvgReader& reader, const SvgContext& context, std::size_t first) {
-    const SvgWarningLog::Mark mark = reader.warnings.mark();
-    if (is_shape(context.node->name)) {
-        const Box box = bounds(outline_of(reader, context));
-        reader.warnings.take_back(mark);
-        return box;
-    }
-    if (determinant(context.map) == 0) return std::nullopt;
-    const Affine back = inverse(scene_map(context));
-    Box box;
-    for (std::size_t i = first; i < reader.scene.elements.size(); ++i) {
-        const Element& element = reader.scene.elements[i];
-        if (!element.verbatim.empty()) return std::nullopt;
-        box = including(box, bounds(transformed(element.paths, back)));
-    }
-    return box;
-}
 
 const SvgNode* clip_node(const SvgReader& reader, std::string_view value) {
     const auto url = parse_url(value);
@@ -118,7 +95,8 @@ bool is_in_box_units(const SvgNode& node) {
 }
 
 /// `user` is from the clipped element's user space to SVG px. Null if the clip cannot be told.
-std::shared_ptr<const SvgClip> read_clip(SvgReader& reader, const SvgContext& clipped, std::size_t first, const SvgNode& node) {
+std::shared_ptr<const SvgClip> read_clip(SvgReader& reader, const SvgContext& clipped, std::size_t first,
+                                         const SvgNode& node) {
     const SvgOpening opening(reader, node);
     if (!opening.fresh) return nullptr;
     Affine map = clipped.map;
@@ -134,6 +112,7 @@ std::shared_ptr<const SvgClip> read_clip(SvgReader& reader, const SvgContext& cl
     above.back()->map = map;
     above.back()->units = boxed ? UnitContext{.width = 1, .height = 1} : clipped.units;
     const SvgContext context = enter(reader, *above.back(), node);
+    check_attributes(reader, node, context.specified);
     auto clip = std::make_shared<SvgClip>();
     if (!ClipReader(reader).read_children(context, *clip)) return nullptr;
     settle(*clip, reader.tolerance);
@@ -174,7 +153,7 @@ std::string clip_definition(const SvgClip& clip, const std::string& prefix, int 
     text += "<clipPath id=\"" + prefix + "c" + std::to_string(number) + "\"";
     if (clip.within) text += " clip-path=\"url(#" + prefix + "c" + std::to_string(number + 1) + ")\"";
     text += ">";
-    for (const ClipShape& shape : clip.shapes) {
+    for (const SvgClipShape& shape : clip.shapes) {
         text += "<path d=\"" + svg_path_data(shape.paths) + "\"";
         if (shape.rule == FillRule::evenodd) text += " clip-rule=\"evenodd\"";
         text += "/>";
@@ -184,7 +163,8 @@ std::string clip_definition(const SvgClip& clip, const std::string& prefix, int 
 
 Box common_box(const Box& a, const Box& b) {
     if (is_empty(a)) return b;
-    return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)}, {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+    return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+            {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
 }
 
 Element cut(SvgReader& reader, const Element& element, const SvgClip& clip, const SvgNode& owner) {
@@ -201,10 +181,15 @@ ClipEffect effect_of_all(const Element& element, const SvgClip& clip, double tol
 }
 
 /// Adds what the clip leaves of an element to `kept`.
-void clip_element(SvgReader& reader, Element element, const SvgClip& clip, const SvgNode& owner, std::vector<Element>& kept) {
+void clip_element(SvgReader& reader, Element element, const SvgClip& clip, const SvgNode& owner,
+                  std::vector<Element>& kept) {
     switch (effect_of_all(element, clip, reader.tolerance)) {
-        case ClipEffect::none: kept.push_back(std::move(element)); return;
-        case ClipEffect::all: reader.warnings.add("{} elements lie wholly outside their clip and are left out", owner); return;
+        case ClipEffect::none:
+            kept.push_back(std::move(element));
+            return;
+        case ClipEffect::all:
+            reader.warnings.add("{} elements lie wholly outside their clip and are left out", owner);
+            return;
         case ClipEffect::part:
             reader.warnings.add("{} elements cut by a clip are kept as they are", owner);
             kept.push_back(cut(reader, element, clip, owner));
@@ -226,14 +211,53 @@ void clip_elements(SvgReader& reader, std::size_t first, const SvgClip& clip, co
     std::ranges::move(kept, std::back_inserter(elements));
 }
 
+/// Do the boxes of all elements from `first` on lie in the convex polygon? Saves looking closely at most of them.
+bool all_inside(const std::vector<Element>& elements, std::size_t first, const std::vector<Point>& polygon,
+                double tolerance) {
+    const double turn = cross(polygon[1] - polygon[0], polygon[2] - polygon[1]) < 0 ? -1 : 1;
+    const auto inside = [&](Point p) {
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point from = polygon[i], edge = polygon[(i + 1) % polygon.size()] - from;
+            if (turn * cross(edge, p - from) < -tolerance * abs(edge)) return false;
+        }
+        return true;
+    };
+    for (std::size_t i = first; i < elements.size(); ++i) {
+        const Box box = painted_box(elements[i]);
+        if (is_empty(box) || !inside(box.low) || !inside(box.high) || !inside({box.low.x, box.high.y}) ||
+            !inside({box.high.x, box.low.y}))
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
+
+std::optional<Box> object_box(SvgReader& reader, const SvgContext& context, std::size_t first) {
+    const SvgWarningLog::Mark mark = reader.warnings.mark();
+    if (is_shape(context.node->name)) {
+        const Box box = bounds(outline_of(reader, context));
+        reader.warnings.take_back(mark);
+        return box;
+    }
+    if (determinant(context.map) == 0) return std::nullopt;
+    const Affine back = inverse(scene_map(context));
+    Box box;
+    for (std::size_t i = first; i < reader.scene.elements.size(); ++i) {
+        const Element& element = reader.scene.elements[i];
+        if (!element.verbatim.empty()) return std::nullopt;
+        box = including(box, bounds(transformed(element.paths, back)));
+    }
+    return box;
+}
 
 bool apply_clip_path(SvgReader& reader, const SvgContext& context, std::size_t first) {
     const SvgNode* node = clip_node(reader, context.style.clip_path);
     if (node == nullptr) {
         // A reference to nothing does not clip; anything but a reference is a shape of CSS.
         const bool reference = parse_url(context.style.clip_path).has_value();
-        if (reference) reader.warnings.add("{} clips refer to a clipPath that does not exist and do not clip", *context.node);
+        if (reference)
+            reader.warnings.add("{} clips refer to a clipPath that does not exist and do not clip", *context.node);
         return reference;
     }
     const auto clip = read_clip(reader, context, first, *node);
@@ -242,15 +266,22 @@ bool apply_clip_path(SvgReader& reader, const SvgContext& context, std::size_t f
     return true;
 }
 
-void clip_to_polygon(SvgReader& reader, std::size_t first, const Affine& map, const std::vector<Point>& corners,
-                     const SvgNode& owner) {
+void clip_to_shapes(SvgReader& reader, std::size_t first, std::vector<SvgClipShape> shapes, const SvgNode& owner) {
     if (reader.scene.elements.size() == first) return;
-    Path outline{corners.front(), {}, true};
-    for (std::size_t i = 1; i < corners.size(); ++i) outline.segments.push_back(line_to(corners[i]));
     SvgClip clip;
-    clip.shapes.push_back({transformed(std::vector<Path>{outline}, scene_from_svg * map), FillRule::nonzero});
+    clip.shapes = std::move(shapes);
     settle(clip, reader.tolerance);
     clip_elements(reader, first, clip, owner);
+}
+
+void clip_to_polygon(SvgReader& reader, std::size_t first, const Affine& map, const std::vector<Point>& corners,
+                     const SvgNode& owner) {
+    std::vector<Point> outline;
+    for (const Point corner : corners) outline.push_back(apply(scene_from_svg * map, corner));
+    if (all_inside(reader.scene.elements, first, outline, reader.tolerance)) return;
+    Path path{outline.front(), {}, true};
+    for (std::size_t i = 1; i < outline.size(); ++i) path.segments.push_back(line_to(outline[i]));
+    clip_to_shapes(reader, first, {{{path}, FillRule::nonzero}}, owner);
 }
 
 }  // namespace rinceau

@@ -183,7 +183,7 @@ bool matches(const CssSelector& selector, const CssTree& tree, CssNode node) {
 
 SpecifiedStyle specified_style(const StyleSheet& sheet, const CssTree& tree, CssNode node,
                                std::span<const std::pair<std::string_view, std::string_view>> presentation,
-                               std::string_view style_attribute) {
+                               std::string_view style_attribute, const CssAccepts& accepts) {
     // Collect all that speaks of this element, weakest first.
     std::vector<Candidate> candidates = RuleMatcher(sheet, tree, node).candidates();
     const std::vector<CssDeclaration> own = parse_declarations(style_attribute);
@@ -200,9 +200,14 @@ SpecifiedStyle specified_style(const StyleSheet& sheet, const CssTree& tree, Css
     // Keep the strongest value of each property.
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     SpecifiedStyle style;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i + 1 == all.size() || all[i + 1].first != all[i].first)
-            style.push_back({std::string(all[i].first), std::string(all[i].second)});
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        while (end < all.size() && all[end].first == all[first].first) ++end;
+        std::size_t chosen = end - 1;
+        if (accepts)
+            while (chosen > first && !accepts(all[chosen].first, all[chosen].second)) --chosen;
+        // The weakest was not asked yet.
+        if (chosen == first && end - first > 1 && accepts && !accepts(all[first].first, all[first].second)) chosen = end - 1;
+        style.push_back({std::string(all[chosen].first), std::string(all[chosen].second)});
     }
     return style;
 }

@@ -86,11 +86,16 @@ StyleSheet parse_style_sheets(std::span<const std::string> sheets);
 /// Specified values, sorted by property, one entry each.
 using SpecifiedStyle = std::vector<std::pair<std::string, std::string>>;
 
+/// Is this value of this property understood?
+using CssAccepts = std::function<bool(std::string_view property, std::string_view value)>;
+
 /// The cascade of one element: presentation attributes (given by the caller; specificity 0), rules by specificity and
 /// order, the attribute `style`, !important above all. Nothing is inherited here and shorthands are not taken apart.
+/// Of several values of a property the strongest that `accepts` likes holds, as drawings that offer a newer syntax first
+/// or last expect ("fill:#d00; fill:color(display-p3 1 0 0)"); if it likes none of them, the strongest.
 SpecifiedStyle specified_style(const StyleSheet& sheet, const CssTree& tree, CssNode node,
                                std::span<const std::pair<std::string_view, std::string_view>> presentation,
-                               std::string_view style_attribute);
+                               std::string_view style_attribute, const CssAccepts& accepts = {});
 
 /// The value of a property, null if it is not specified.
 const std::string* find_value(const SpecifiedStyle& style, std::string_view property);

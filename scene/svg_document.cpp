@@ -12,6 +12,9 @@ namespace rinceau {
 
 namespace {
 
+// The XML library looks through all attributes of an element for each new one.
+constexpr std::size_t most_attributes = 1000;
+
 // Elements this deep start a part of their own; well below the 98 levels at which tinyxml2 ends.
 constexpr int levels_per_part = 64;
 
@@ -132,6 +135,21 @@ class PartSplitter {
         fail(at_, "tag <" + std::string(name_at(at_ + 1)) + " is not closed");
     }
 
+    void check_attribute_count(std::size_t begin, std::size_t end) const {
+        std::size_t count = 0;
+        char quote = '\0';
+        for (std::size_t at = begin; at < end; ++at) {
+            const char c = text_[at];
+            if (quote != '\0')
+                quote = c == quote ? '\0' : quote;
+            else if (c == '"' || c == '\'')
+                quote = c, ++count;
+        }
+        if (count > most_attributes)
+            throw LimitError(place_in_text(text_, begin, options_.file_name),
+                             "an element has more than " + std::to_string(most_attributes) + " attributes");
+    }
+
     void read_start_tag() {
         const std::size_t end = tag_end();
         const std::string_view name = name_at(at_ + 1);
@@ -143,6 +161,7 @@ class PartSplitter {
             throw LimitError(place_in_text(text_, begin, options_.file_name),
                              "elements nest deeper than the limit of " + std::to_string(options_.max_depth) + " levels");
         }
+        check_attribute_count(begin, end);
         if (starts_part) enter_part();
         put_up_to(end + 1);
         if (is_empty) {

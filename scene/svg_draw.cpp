@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/svg_attribute_check.h"
 #include "scene/svg_effects.h"
 #include "scene/svg_number.h"
 #include "scene/svg_outline.h"
@@ -14,7 +15,20 @@
 namespace rinceau {
 namespace {
 
-enum class NodeKind : std::uint8_t { shape, group, nested_svg, use, choice, text, image, foreign, silent, animation, flow_text, unknown };
+enum class NodeKind : std::uint8_t {
+    shape,
+    group,
+    nested_svg,
+    use,
+    choice,
+    text,
+    image,
+    foreign,
+    silent,
+    animation,
+    flow_text,
+    unknown
+};
 
 struct NamedKind {
     std::string_view name;
@@ -23,19 +37,49 @@ struct NamedKind {
 
 constexpr auto node_kinds = [] {
     auto kinds = std::to_array<NamedKind>({
-        {"path", NodeKind::shape}, {"rect", NodeKind::shape}, {"circle", NodeKind::shape}, {"ellipse", NodeKind::shape},
-        {"line", NodeKind::shape}, {"polyline", NodeKind::shape}, {"polygon", NodeKind::shape}, {"g", NodeKind::group},
-        {"a", NodeKind::group}, {"svg", NodeKind::nested_svg}, {"use", NodeKind::use}, {"switch", NodeKind::choice},
-        {"text", NodeKind::text}, {"image", NodeKind::image}, {"foreignObject", NodeKind::foreign},
+        {"path", NodeKind::shape},
+        {"rect", NodeKind::shape},
+        {"circle", NodeKind::shape},
+        {"ellipse", NodeKind::shape},
+        {"line", NodeKind::shape},
+        {"polyline", NodeKind::shape},
+        {"polygon", NodeKind::shape},
+        {"g", NodeKind::group},
+        {"a", NodeKind::group},
+        {"svg", NodeKind::nested_svg},
+        {"use", NodeKind::use},
+        {"switch", NodeKind::choice},
+        {"text", NodeKind::text},
+        {"image", NodeKind::image},
+        {"foreignObject", NodeKind::foreign},
         // Definitions and remarks: they draw through others or not at all.
-        {"defs", NodeKind::silent}, {"symbol", NodeKind::silent}, {"clipPath", NodeKind::silent}, {"mask", NodeKind::silent},
-        {"pattern", NodeKind::silent}, {"marker", NodeKind::silent}, {"linearGradient", NodeKind::silent},
-        {"radialGradient", NodeKind::silent}, {"filter", NodeKind::silent}, {"style", NodeKind::silent},
-        {"script", NodeKind::silent}, {"title", NodeKind::silent}, {"desc", NodeKind::silent}, {"metadata", NodeKind::silent},
-        {"view", NodeKind::silent}, {"cursor", NodeKind::silent}, {"font", NodeKind::silent}, {"font-face", NodeKind::silent},
-        {"color-profile", NodeKind::silent}, {"stop", NodeKind::silent}, {"solidColor", NodeKind::silent},
-        {"animate", NodeKind::animation}, {"set", NodeKind::animation}, {"animateTransform", NodeKind::animation},
-        {"animateMotion", NodeKind::animation}, {"animateColor", NodeKind::animation}, {"flowRoot", NodeKind::flow_text},
+        {"defs", NodeKind::silent},
+        {"symbol", NodeKind::silent},
+        {"clipPath", NodeKind::silent},
+        {"mask", NodeKind::silent},
+        {"pattern", NodeKind::silent},
+        {"marker", NodeKind::silent},
+        {"linearGradient", NodeKind::silent},
+        {"radialGradient", NodeKind::silent},
+        {"filter", NodeKind::silent},
+        {"style", NodeKind::silent},
+        {"script", NodeKind::silent},
+        {"title", NodeKind::silent},
+        {"desc", NodeKind::silent},
+        {"metadata", NodeKind::silent},
+        {"view", NodeKind::silent},
+        {"cursor", NodeKind::silent},
+        {"font", NodeKind::silent},
+        {"font-face", NodeKind::silent},
+        {"color-profile", NodeKind::silent},
+        {"stop", NodeKind::silent},
+        {"solidColor", NodeKind::silent},
+        {"animate", NodeKind::animation},
+        {"set", NodeKind::animation},
+        {"animateTransform", NodeKind::animation},
+        {"animateMotion", NodeKind::animation},
+        {"animateColor", NodeKind::animation},
+        {"flowRoot", NodeKind::flow_text},
     });
     std::ranges::sort(kinds, {}, &NamedKind::name);
     return kinds;
@@ -55,7 +99,8 @@ bool has_characters(const SvgNode& node) {
 /// Where an image may draw: its box, as far as it says.
 Box image_box(const SvgContext& context) {
     const double x = length_of(context, "x", LengthAxis::x, 0), y = length_of(context, "y", LengthAxis::y, 0);
-    const double width = length_of(context, "width", LengthAxis::x, 0), height = length_of(context, "height", LengthAxis::y, 0);
+    const double width = length_of(context, "width", LengthAxis::x, 0),
+                 height = length_of(context, "height", LengthAxis::y, 0);
     if (!(width > 0) || !(height > 0) || context.style.overflow_visible.value_or(false)) return {};
     const Affine map = scene_map(context);
     Box box;
@@ -76,18 +121,26 @@ void keep_image(SvgReader& reader, const SvgContext& context) {
 
 void draw_content(SvgReader& reader, SvgContext& context, NodeKind kind) {
     switch (kind) {
-        case NodeKind::shape: return draw_shape(reader, context);
-        case NodeKind::group: return draw_children(reader, context);
-        case NodeKind::nested_svg: return draw_nested_svg(reader, context);
-        case NodeKind::use: return draw_use(reader, context);
-        case NodeKind::choice: return draw_switch(reader, context);
+        case NodeKind::shape:
+            return draw_shape(reader, context);
+        case NodeKind::group:
+            return draw_children(reader, context);
+        case NodeKind::nested_svg:
+            return draw_nested_svg(reader, context);
+        case NodeKind::use:
+            return draw_use(reader, context);
+        case NodeKind::choice:
+            return draw_switch(reader, context);
         case NodeKind::text:
             if (has_characters(*context.node)) keep_verbatim(reader, context, {}, "{} text elements are kept as they are");
             return;
-        case NodeKind::image: return keep_image(reader, context);
+        case NodeKind::image:
+            return keep_image(reader, context);
         case NodeKind::foreign:
-            return keep_verbatim(reader, context, {}, "{} foreignObject elements are kept as they are; many programs do not show them");
-        default: return;
+            return keep_verbatim(reader, context, {},
+                                 "{} foreignObject elements are kept as they are; many programs do not show them");
+        default:
+            return;
     }
 }
 
@@ -150,6 +203,7 @@ void draw_node(SvgReader& reader, const SvgContext& parent, const SvgNode& node)
     if (kind >= NodeKind::silent) return note_undrawn(reader, node, kind);
     SvgContext context = enter(reader, parent, node);
     if (!context.style.displayed) return;
+    check_attributes(reader, node, context.specified);
     if (determinant(context.map) == 0) {
         reader.warnings.add("{} elements with a transform that flattens them are left out", node);
         return;
@@ -157,8 +211,10 @@ void draw_node(SvgReader& reader, const SvgContext& parent, const SvgNode& node)
     const SvgOpening opening(reader, node);
     const SvgMark mark = mark_of(reader);
     draw_content(reader, context, kind);
-    if (!is_kept_whole(kind)) finish_effects(reader, context, mark);
-    else if (context.style.blended) ++reader.blended;
+    if (!is_kept_whole(kind))
+        finish_effects(reader, context, mark);
+    else if (context.style.blended)
+        ++reader.blended;
 }
 
 void draw_root(SvgReader& reader) {
@@ -167,6 +223,7 @@ void draw_root(SvgReader& reader) {
     page.depth = 0;
     SvgContext context = enter(reader, page, root);
     context.parent = nullptr;
+    check_attributes(reader, root, context.specified);
     std::optional<ViewBox> box;
     if (const std::string_view* text = find_attribute(root, "viewBox")) box = parse_view_box(*text);
     const RootSize size = root_size(reader, context, box);
@@ -179,7 +236,8 @@ void draw_root(SvgReader& reader) {
     units.root_font_size = units.font_size;
     if (box) {
         AspectRatio aspect;
-        if (const std::string_view* text = find_attribute(root, "preserveAspectRatio")) aspect = parse_aspect_ratio(*text).value_or(aspect);
+        if (const std::string_view* text = find_attribute(root, "preserveAspectRatio"))
+            aspect = parse_aspect_ratio(*text).value_or(aspect);
         if (!(box->width > 0) || !(box->height > 0)) return;
         context.map = context.map * view_box_map(*box, aspect, size.width, size.height);
         units.width = box->width;

@@ -4,6 +4,7 @@
 
 #include "scene/painted_region.h"
 #include "scene/svg_clip.h"
+#include "scene/svg_mask.h"
 #include "scene/svg_number.h"
 #include "scene/svg_verbatim.h"
 
@@ -43,8 +44,10 @@ bool any_overlap(const std::vector<Element>& elements, std::size_t first, double
 
 /// Opacity of fill and stroke together is opacity of the one that is there.
 void simplify_opacity(Style& style) {
-    if (!paints_stroke(style)) style.fill_opacity *= std::exchange(style.opacity, 1.0);
-    else if (!paints_fill(style)) style.stroke.opacity *= std::exchange(style.opacity, 1.0);
+    if (!paints_stroke(style))
+        style.fill_opacity *= std::exchange(style.opacity, 1.0);
+    else if (!paints_fill(style))
+        style.stroke.opacity *= std::exchange(style.opacity, 1.0);
 }
 
 /// False if the opacity holds for several things that overlap.
@@ -82,6 +85,25 @@ void keep_whole(SvgReader& reader, const SvgContext& context, const SvgMark& mar
     keep_verbatim(reader, context, box, warning);
 }
 
+/// A reference to nothing does not filter.
+bool has_filter(SvgReader& reader, const SvgContext& context) {
+    const auto url = parse_url(context.style.filter);
+    // Functions of CSS, and lists of filters.
+    if (!url || context.style.filter.find(')') + 1 < context.style.filter.size()) return !context.style.filter.empty();
+    const SvgNode* node = find_reference(reader, *url);
+    const bool exists = node != nullptr && is_svg(*node) && node->name == "filter";
+    if (!exists) reader.warnings.add("{} filters do not exist and do nothing", *context.node);
+    return exists;
+}
+
+/// False if the mask is not plain.
+bool mask_elements(SvgReader& reader, const SvgContext& context, std::size_t first) {
+    if (context.style.mask.empty()) return true;
+    const MaskResult result = apply_mask(reader, context, first);
+    if (result == MaskResult::absent) reader.warnings.add("{} masks do not exist and do nothing", *context.node);
+    return result != MaskResult::unknown;
+}
+
 }  // namespace
 
 SvgMark mark_of(const SvgReader& reader) { return {reader.scene.elements.size(), reader.warnings.mark(), reader.blended}; }
@@ -96,20 +118,22 @@ void finish_effects(SvgReader& reader, const SvgContext& context, const SvgMark&
         reader.warnings.add("{} elements of opacity 0 are left out", *context.node);
         return;
     }
-    if (!style.filter.empty()) return keep_whole(reader, context, mark, "{} filtered elements are kept as they are");
-    if (!style.mask.empty()) return keep_whole(reader, context, mark, "{} masked elements are kept as they are");
+    if (has_filter(reader, context)) return keep_whole(reader, context, mark, "{} filtered elements are kept as they are");
     if (style.blended) {
         ++reader.blended;
         return keep_whole(reader, context, mark, "{} blended elements (mix-blend-mode) are kept as they are");
     }
-    const bool isolates = style.isolated || style.opacity < 1 || !style.clip_path.empty();
+    const bool isolates = style.isolated || style.opacity < 1 || !style.clip_path.empty() || !style.mask.empty();
     if (isolates && reader.blended > mark.blended) {
         // What is below the group does not shine through: outside it blends no more.
         reader.blended = mark.blended;
         return keep_whole(reader, context, mark, "{} groups with blended elements are kept as they are");
     }
     if (!style.clip_path.empty() && !apply_clip_path(reader, context, mark.elements))
-        return keep_whole(reader, context, mark, "{} elements with a clip that is not made of plain shapes are kept as they are");
+        return keep_whole(reader, context, mark,
+                          "{} elements with a clip that is not made of plain shapes are kept as they are");
+    if (!mask_elements(reader, context, mark.elements))
+        return keep_whole(reader, context, mark, "{} masked elements are kept as they are");
     if (style.opacity < 1 && !fold_opacity(reader, context, mark.elements))
         keep_whole(reader, context, mark, "{} groups of overlapping elements with a common opacity are kept as they are");
 }

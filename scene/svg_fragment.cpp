@@ -10,21 +10,33 @@ namespace {
 void append_escaped(std::string& text, std::string_view value) {
     for (const char c : value) {
         switch (c) {
-            case '&': text += "&amp;"; break;
-            case '<': text += "&lt;"; break;
-            case '>': text += "&gt;"; break;
-            case '"': text += "&quot;"; break;
+            case '&':
+                text += "&amp;";
+                break;
+            case '<':
+                text += "&lt;";
+                break;
+            case '>':
+                text += "&gt;";
+                break;
+            case '"':
+                text += "&quot;";
+                break;
             // Line ends in attributes would be read as spaces.
-            case '\n': text += "&#10;"; break;
-            default: text += c;
+            case '\n':
+                text += "&#10;";
+                break;
+            default:
+                text += c;
         }
     }
 }
 
 /// Scripts and animations: a kept part stands still. Titles and the like draw nothing.
 bool is_left_out(const SvgNode& node) {
-    static constexpr std::string_view names[] = {"script", "style", "title", "desc", "metadata", "animate", "set",
-                                                 "animateTransform", "animateMotion", "animateColor", "mpath"};
+    static constexpr std::string_view names[] = {"script",        "style",        "title", "desc",
+                                                 "metadata",      "animate",      "set",   "animateTransform",
+                                                 "animateMotion", "animateColor", "mpath"};
     return is_svg(node) && std::ranges::find(names, node.name) != std::end(names);
 }
 
@@ -120,7 +132,8 @@ std::string SvgFragmentWriter::declarations_text(const SpecifiedStyle& style) {
     return text;
 }
 
-void SvgFragmentWriter::write_attributes(const SvgNode& node, const SpecifiedStyle& inherited, bool as_group, std::string& text) {
+void SvgFragmentWriter::write_attributes(const SvgNode& node, const SpecifiedStyle& inherited, bool as_group,
+                                         std::string& text) {
     std::string_view own_style;
     for (const SvgAttribute& attribute : node.attributes) {
         const std::string_view name = attribute.name;
@@ -131,10 +144,16 @@ void SvgFragmentWriter::write_attributes(const SvgNode& node, const SpecifiedSty
         std::string value;
         std::string_view prefix;
         switch (attribute.space) {
-            case SvgNamespace::none: break;
-            case SvgNamespace::xlink: prefix = "xlink:"; break;
-            case SvgNamespace::xml: prefix = "xml:"; break;
-            default: continue;
+            case SvgNamespace::none:
+                break;
+            case SvgNamespace::xlink:
+                prefix = "xlink:";
+                break;
+            case SvgNamespace::xml:
+                prefix = "xml:";
+                break;
+            default:
+                continue;
         }
         if (name == "id" && attribute.space == SvgNamespace::none) {
             value = renamed(attribute.value);
@@ -153,7 +172,7 @@ void SvgFragmentWriter::write_attributes(const SvgNode& node, const SpecifiedSty
         text += '"';
     }
     if (!is_svg(node)) return;
-    SpecifiedStyle style = specified_style(reader_.sheet, reader_.css, &node, {}, own_style);
+    SpecifiedStyle style = specified_style(reader_.sheet, reader_.css, &node, {}, own_style, is_understood);
     if (as_group) std::erase_if(style, [](const auto& declaration) { return declaration.first.starts_with("transform"); });
     for (const auto& declaration : inherited)
         if (find_value(style, declaration.first) == nullptr && find_attribute(node, declaration.first) == nullptr)
@@ -164,13 +183,15 @@ void SvgFragmentWriter::write_attributes(const SvgNode& node, const SpecifiedSty
 
 void SvgFragmentWriter::write_children(const SvgNode& node, bool inside_foreign, std::string& text) {
     for (const SvgNode* child = node.first_child; child != nullptr; child = child->next) {
-        if (is_text(*child)) append_escaped(text, child->text);
-        else write_element(*child, {}, false, inside_foreign, text);
+        if (is_text(*child))
+            append_escaped(text, child->text);
+        else
+            write_element(*child, {}, false, inside_foreign, text);
     }
 }
 
-void SvgFragmentWriter::write_element(const SvgNode& node, const SpecifiedStyle& inherited, bool as_group, bool inside_foreign,
-                                      std::string& text) {
+void SvgFragmentWriter::write_element(const SvgNode& node, const SpecifiedStyle& inherited, bool as_group,
+                                      bool inside_foreign, std::string& text) {
     // Elements of editors draw nothing; those inside a foreignObject are its content.
     if (is_left_out(node) || (!is_svg(node) && !inside_foreign) || (!is_svg(node) && node.name == "script")) return;
     const std::string name(as_group ? std::string_view("g") : node.name);

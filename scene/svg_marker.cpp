@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "scene/svg_attribute_check.h"
 #include "scene/svg_clip.h"
 #include "scene/svg_draw.h"
 #include "scene/svg_effects.h"
@@ -51,7 +52,8 @@ void add_vertices(const Path& path, std::vector<Vertex>& vertices) {
 }
 
 /// `joints` are the ends of segments that are no vertices: (sub-path, segment).
-std::vector<Vertex> vertices_of(const std::vector<Path>& outline, const std::vector<std::pair<std::size_t, std::size_t>>& joints) {
+std::vector<Vertex> vertices_of(const std::vector<Path>& outline,
+                                const std::vector<std::pair<std::size_t, std::size_t>>& joints) {
     std::vector<Vertex> all;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         std::vector<Vertex> vertices;
@@ -73,7 +75,7 @@ double vertex_angle(const Vertex& vertex) {
 }
 
 struct MarkerView {
-    Affine map;              ///< from marker content to the marked path's user space, at the origin
+    Affine map;               ///< from marker content to the marked path's user space, at the origin
     std::vector<Point> clip;  ///< corners in content space; empty = not clipped
     double width = 0, height = 0;
 };
@@ -81,7 +83,8 @@ struct MarkerView {
 /// Nothing if the marker draws nothing.
 std::optional<MarkerView> marker_view(const SvgContext& marker, double stroke_width) {
     MarkerView view;
-    const double width = length_of(marker, "markerWidth", LengthAxis::x, 3), height = length_of(marker, "markerHeight", LengthAxis::y, 3);
+    const double width = length_of(marker, "markerWidth", LengthAxis::x, 3),
+                 height = length_of(marker, "markerHeight", LengthAxis::y, 3);
     if (!(width > 0) || !(height > 0)) return std::nullopt;
     const std::string_view* units = find_attribute(*marker.node, "markerUnits");
     const double scale = units != nullptr && trimmed(*units) == "userSpaceOnUse" ? 1 : stroke_width;
@@ -142,6 +145,7 @@ std::optional<Marker> find_marker(SvgReader& reader, const SvgContext& shape, co
     marker.above = ancestor_contexts(reader, *node);
     marker.above.back()->depth += shape.depth;
     marker.context = enter(reader, *marker.above.back(), *node);
+    check_attributes(reader, *node, marker.context.specified);
     marker.view = marker_view(marker.context, shape.style.stroke_width);
     if (const std::string_view* orient = find_attribute(*node, "orient")) marker.orient = trimmed(*orient);
     return marker;
@@ -157,7 +161,8 @@ double marker_angle(const Marker& marker, const Vertex& vertex, bool at_start) {
     return skip_token(cursor, "turn") ? value * two_pi : radians(value);
 }
 
-void draw_marker(SvgReader& reader, const SvgContext& shape, Marker& marker, const Vertex& vertex, bool at_start, const Style& style) {
+void draw_marker(SvgReader& reader, const SvgContext& shape, Marker& marker, const Vertex& vertex, bool at_start,
+                 const Style& style) {
     // `display` does not apply to markers.
     if (!marker.view) return;
     const double angle = marker_angle(marker, vertex, at_start), c = std::cos(angle), s = std::sin(angle);
@@ -169,7 +174,8 @@ void draw_marker(SvgReader& reader, const SvgContext& shape, Marker& marker, con
     const SvgOpening opening(reader, *marker.node);
     draw_children(reader, marker.context);
     finish_effects(reader, marker.context, mark);
-    if (!marker.view->clip.empty()) clip_to_polygon(reader, mark.elements, marker.context.map, marker.view->clip, *marker.node);
+    if (!marker.view->clip.empty())
+        clip_to_polygon(reader, mark.elements, marker.context.map, marker.view->clip, *marker.node);
 }
 
 }  // namespace
@@ -181,7 +187,8 @@ void draw_markers(SvgReader& reader, const SvgContext& context, const std::vecto
     auto mid = find_marker(reader, context, context.style.marker_mid);
     auto end = find_marker(reader, context, context.style.marker_end);
     if (start) draw_marker(reader, context, *start, vertices.front(), true, style);
-    for (std::size_t i = 1; mid && i + 1 < vertices.size(); ++i) draw_marker(reader, context, *mid, vertices[i], false, style);
+    for (std::size_t i = 1; mid && i + 1 < vertices.size(); ++i)
+        draw_marker(reader, context, *mid, vertices[i], false, style);
     if (end) draw_marker(reader, context, *end, vertices.back(), false, style);
 }
 

@@ -12,7 +12,8 @@ namespace {
 std::optional<double> given_length(const SvgContext& context, std::string_view name, LengthAxis axis) {
     if (const std::string* value = find_value(context.specified, name))
         if (const auto length = parse_length(*value, context.units, axis)) return length;
-    if (const std::string_view* value = find_attribute(*context.node, name)) return parse_length(trimmed(*value), context.units, axis);
+    if (const std::string_view* value = find_attribute(*context.node, name))
+        return parse_length(trimmed(*value), context.units, axis);
     return std::nullopt;
 }
 
@@ -27,11 +28,16 @@ std::string_view path_data(const SvgContext& context) {
     return trimmed(data) == "none" ? std::string_view() : trimmed(data);
 }
 
+std::string_view rest_of(std::string_view data, std::size_t at) { return at < data.size() ? data.substr(at) : "its end"; }
+
 std::vector<Path> path_outline(SvgReader& reader, const SvgContext& context) {
     const std::string_view data = path_data(context);
     if (data.empty()) return {};
     ParsedPath parsed = parse_path_data(data);
-    if (parsed.faulty) reader.warnings.add("{} paths have faulty data (attribute d) and are drawn up to the fault", *context.node);
+    if (parsed.faulty)
+        reader.warnings.add_value(
+            "{} paths have faulty data (attribute d, before \"{value}\") and are drawn up to the fault",
+            rest_of(data, parsed.fault_at), *context.node);
     return std::move(parsed.paths);
 }
 
@@ -40,7 +46,9 @@ std::vector<Path> points_outline(SvgReader& reader, const SvgContext& context, b
     if (data == nullptr) return {};
     const ParsedPoints parsed = parse_points(*data);
     if (parsed.faulty)
-        reader.warnings.add("{} polygons or polylines have faulty points and are drawn up to the fault", *context.node);
+        reader.warnings.add_value(
+            "{} polygons or polylines have faulty points (before \"{value}\") and are drawn up to the fault",
+            rest_of(*data, parsed.fault_at), *context.node);
     return polyline(parsed.points, closed);
 }
 
@@ -71,7 +79,9 @@ bool is_shape(std::string_view name) {
     return std::ranges::find(shapes, name) != std::end(shapes);
 }
 
-bool takes_markers(std::string_view name) { return name == "path" || name == "line" || name == "polyline" || name == "polygon"; }
+bool takes_markers(std::string_view name) {
+    return name == "path" || name == "line" || name == "polyline" || name == "polygon";
+}
 
 std::vector<Path> outline_of(SvgReader& reader, const SvgContext& context) {
     const std::string_view name = context.node->name;

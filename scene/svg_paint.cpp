@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
+#include "scene/svg_attribute_check.h"
 #include "scene/svg_number.h"
 #include "scene/svg_transform.h"
 
@@ -12,16 +14,28 @@ namespace {
 // A focus on the circle's edge has no gradient about it: it is moved inside by this share of the radius.
 constexpr double focus_margin = 1e-3;
 
+// Gradients that refer to one another; drawings have two or three in a row, and longer chains cost time for each gradient.
+constexpr std::size_t longest_chain = 200;
+
 bool is_gradient(const SvgNode& node) {
     return is_svg(node) && (node.name == "linearGradient" || node.name == "radialGradient");
 }
 
 /// The gradient and the ones that it refers to, nearest first; ends at the first that is no gradient or comes twice.
-std::vector<const SvgNode*> reference_chain(const SvgReader& reader, const SvgNode& node) {
+std::vector<const SvgNode*> reference_chain(SvgReader& reader, const SvgNode& node) {
     std::vector<const SvgNode*> chain;
-    for (const SvgNode* link = &node; link != nullptr && is_gradient(*link) && std::ranges::find(chain, link) == chain.end();
-         link = find_reference(reader, href_of(*link)))
+    std::unordered_set<const SvgNode*> seen;
+    for (const SvgNode* link = &node; link != nullptr && is_gradient(*link); link = find_reference(reader, href_of(*link))) {
+        if (!seen.insert(link).second) {
+            reader.warnings.add("{} references that lead back to themselves are skipped", node);
+            break;
+        }
+        if (chain.size() == longest_chain) {
+            reader.warnings.add("{} gradients refer to one another more than 200 times in a row; the rest is skipped", node);
+            break;
+        }
         chain.push_back(link);
+    }
     return chain;
 }
 
@@ -51,10 +65,13 @@ std::vector<GradientStop> read_stops(SvgReader& reader, const SvgNode& gradient)
     std::vector<GradientStop> stops;
     for (const SvgNode* child = gradient.first_child; child != nullptr; child = child->next) {
         if (!is_svg(*child) || child->name != "stop") continue;
-        const SvgStyle style = computed_style(specified_style(reader, *child), owner.style, owner.units);
+        const SvgContext context = enter(reader, owner, *child);
+        check_attributes(reader, *child, context.specified);
+        const SvgStyle& style = context.style;
         const ParsedColor color = resolved_color(style.stop_color, style);
         double offset = 0;
-        if (const std::string_view* value = find_attribute(*child, "offset")) offset = parse_share(trimmed(*value)).value_or(0);
+        if (const std::string_view* value = find_attribute(*child, "offset"))
+            offset = parse_share(trimmed(*value)).value_or(0);
         offset = std::clamp(offset, stops.empty() ? 0.0 : stops.back().offset, 1.0);
         stops.push_back({offset, color.color, color.opacity * style.stop_opacity});
     }
@@ -68,6 +85,7 @@ GradientSpread spread_of(std::string_view text) {
 
 SvgGradientDefinition read_definition(SvgReader& reader, const SvgNode& node) {
     const std::vector<const SvgNode*> chain = reference_chain(reader, node);
+    for (const SvgNode* link : chain) check_attributes(reader, *link, {});
     SvgGradientDefinition definition;
     definition.kind = node.name == "linearGradient" ? GradientKind::linear : GradientKind::radial;
     definition.spread = spread_of(inherited_attribute(chain, "spreadMethod"));
@@ -76,12 +94,20 @@ SvgGradientDefinition read_definition(SvgReader& reader, const SvgNode& node) {
     if (const ParsedTransform parsed = parse_transform_attribute(transform); parsed.map) {
         definition.transform = *parsed.map;
     } else {
-        reader.warnings.add("{} gradient transforms are faulty and left out", node);
+        note_fault(reader, node, "gradientTransform", transform, "it is left out");
     }
     using Geometry = std::pair<std::string_view, std::string_view SvgGradientDefinition::*>;
     using D = SvgGradientDefinition;
-    for (const auto& [name, field] : {Geometry{"x1", &D::x1}, {"y1", &D::y1}, {"x2", &D::x2}, {"y2", &D::y2}, {"cx", &D::cx},
-                                      {"cy", &D::cy}, {"r", &D::r}, {"fx", &D::fx}, {"fy", &D::fy}, {"fr", &D::fr}})
+    for (const auto& [name, field] : {Geometry{"x1", &D::x1},
+                                      {"y1", &D::y1},
+                                      {"x2", &D::x2},
+                                      {"y2", &D::y2},
+                                      {"cx", &D::cx},
+                                      {"cy", &D::cy},
+                                      {"r", &D::r},
+                                      {"fx", &D::fx},
+                                      {"fy", &D::fy},
+                                      {"fr", &D::fr}})
         definition.*field = inherited_geometry(chain, name);
     const auto source = std::ranges::find_if(chain, [](const SvgNode* link) { return has_stops(*link); });
     if (source != chain.end()) definition.stops = read_stops(reader, **source);
@@ -98,10 +124,11 @@ const SvgGradientDefinition& definition_of(SvgReader& reader, const SvgNode& nod
 constexpr UnitContext box_units{.width = 1, .height = 1};
 
 struct GradientFrame {
-    Affine map;          ///< from the unit gradient to gradient space
+    Affine map;  ///< from the unit gradient to gradient space
     Point focus;
     double focal_radius = 0;
     bool degenerate = false;  ///< no extent: the last stop's colour everywhere
+    bool focus_moved = false;
 };
 
 GradientFrame linear_frame(const SvgGradientDefinition& d, const UnitContext& units) {
@@ -110,7 +137,7 @@ GradientFrame linear_frame(const SvgGradientDefinition& d, const UnitContext& un
     };
     const Point from{value(d.x1, LengthAxis::x, "0%"), value(d.y1, LengthAxis::y, "0%")};
     const Point along = Point{value(d.x2, LengthAxis::x, "100%"), value(d.y2, LengthAxis::y, "0%")} - from;
-    return {{along.x, along.y, -along.y, along.x, from.x, from.y}, {}, 0, norm(along) == 0};
+    return {{along.x, along.y, -along.y, along.x, from.x, from.y}, {}, 0, norm(along) == 0, false};
 }
 
 GradientFrame radial_frame(const SvgGradientDefinition& d, const UnitContext& units) {
@@ -119,12 +146,14 @@ GradientFrame radial_frame(const SvgGradientDefinition& d, const UnitContext& un
     };
     const auto half = [&](LengthAxis axis) { return *parse_length("50%", units, axis); };
     const Point center{value(d.cx, LengthAxis::x, half(LengthAxis::x)), value(d.cy, LengthAxis::y, half(LengthAxis::y))};
-    const double radius = value(d.r, LengthAxis::diagonal, half(LengthAxis::diagonal));
-    if (!(radius > 0)) return {{}, {}, 0, true};
+    double radius = value(d.r, LengthAxis::diagonal, half(LengthAxis::diagonal));
+    if (radius < 0) radius = half(LengthAxis::diagonal);
+    if (radius == 0) return {.degenerate = true};
     Point focus = (Point{value(d.fx, LengthAxis::x, center.x), value(d.fy, LengthAxis::y, center.y)} - center) / radius;
+    const bool outside = abs(focus) > 1;
     if (abs(focus) > 1 - focus_margin) focus = focus * ((1 - focus_margin) / abs(focus));
     const double focal_radius = std::clamp(value(d.fr, LengthAxis::diagonal, 0) / radius, 0.0, 1 - focus_margin);
-    return {{radius, 0, 0, radius, center.x, center.y}, focus, focal_radius, false};
+    return {{radius, 0, 0, radius, center.x, center.y}, focus, focal_radius, false, outside};
 }
 
 SvgPaint solid(const Color& color, double opacity) { return {color, opacity, false}; }
@@ -152,7 +181,13 @@ std::optional<SvgPaint> resolve_gradient(SvgReader& reader, const SvgContext& co
     map = map * definition.transform;
     if (determinant(map) == 0) return SvgPaint{};
     if (frame.degenerate) return solid(last.color, last.opacity);
-    Gradient gradient{definition.kind, definition.spread, definition.stops, map * frame.map, frame.focus, frame.focal_radius};
+    if (frame.focus_moved)
+        reader.warnings.add(
+            "{} shapes have a gradient with its focus (fx, fy) outside the circle, where renderers differ; it is moved "
+            "to the circle",
+            *context.node);
+    Gradient gradient{definition.kind, definition.spread, definition.stops,
+                      map * frame.map, frame.focus,       frame.focal_radius};
     return SvgPaint{std::make_shared<const Gradient>(std::move(gradient)), 1, false};
 }
 
@@ -176,9 +211,12 @@ SvgPaint resolve_reference(SvgReader& reader, const SvgContext& context, const P
 
 SvgPaint resolve_paint(SvgReader& reader, const SvgContext& context, const ParsedPaint& paint, const Box& box) {
     switch (paint.kind) {
-        case PaintKind::none: return {};
-        case PaintKind::color: return resolve_color(paint.color, context);
-        case PaintKind::reference: return resolve_reference(reader, context, paint, box);
+        case PaintKind::none:
+            return {};
+        case PaintKind::color:
+            return resolve_color(paint.color, context);
+        case PaintKind::reference:
+            return resolve_reference(reader, context, paint, box);
         case PaintKind::context_fill:
             if (context.context_style == nullptr) return {};
             return {context.context_style->fill, context.context_style->fill_opacity, false};

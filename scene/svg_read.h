@@ -14,7 +14,7 @@ struct SvgReadOptions {
     std::string file_name;                     ///< for messages
     double width = 0, height = 0;              ///< what 100 % is when the root has no size; 0 = 100 px (or the viewBox)
     bool split_compound_paths = true;          ///< connected pieces become elements of their own where that draws the same
-    std::size_t max_elements = 2'000'000;      ///< drawn elements after expansion of use; more -> LimitError
+    std::size_t max_elements = 1'000'000;      ///< drawn elements after expansion of use; more -> LimitError
     int max_depth = 4096;                      ///< nesting of elements, of use and of references together -> LimitError
     std::size_t max_bytes = 512u << 20;        ///< of text after decompression and entity expansion -> LimitError
 };

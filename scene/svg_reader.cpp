@@ -1,27 +1,59 @@
 #include "scene/svg_reader.h"
 
+#include <algorithm>
+
 #include "scene/svg_number.h"
 #include "scene/svg_transform.h"
 
 namespace rinceau {
 
+namespace {
+
+constexpr std::size_t longest_quotation = 40;
+
+/// The value on one line, and not too long.
+std::string quotation(std::string_view value) {
+    std::string text(trimmed(value));
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
+    std::ranges::replace_if(text, is_control, ' ');
+    if (text.size() <= longest_quotation) return text;
+    std::size_t end = longest_quotation;
+    // No character of several bytes is cut.
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    return text.substr(0, end) + "...";
+}
+
+void replace_first(std::string& text, std::string_view mark, const std::string& by) {
+    if (const std::size_t at = text.find(mark); at != std::string::npos) text.replace(at, mark.size(), by);
+}
+
+}  // namespace
+
+void SvgWarningLog::add_value(std::string kind, std::string_view value, const SvgNode& node) {
+    const auto kept = value_kinds_.insert(std::move(kind)).first;
+    entries_.push_back({*kept, quotation(value), node.line, &node});
+}
+
 std::vector<Warning> SvgWarningLog::summary(const std::string& file_name) const {
     struct Kind {
+        const Entry* first = nullptr;
         std::size_t count = 0;
-        int line = 0;
     };
     std::map<std::string_view, std::size_t> numbers;
-    std::vector<std::pair<std::string_view, Kind>> kinds;
+    std::vector<Kind> kinds;
+    std::set<std::pair<std::size_t, const SvgNode*>> counted;
     for (const Entry& entry : entries_) {
         const auto [found, added] = numbers.emplace(entry.kind, kinds.size());
-        if (added) kinds.push_back({entry.kind, {0, entry.line}});
-        ++kinds[found->second].second.count;
+        if (added) kinds.push_back({&entry, 0});
+        if (entry.counts_once != nullptr && !counted.emplace(found->second, entry.counts_once).second) continue;
+        ++kinds[found->second].count;
     }
     std::vector<Warning> warnings;
-    for (const auto& [kind, seen] : kinds) {
-        std::string message(kind);
-        if (const std::size_t at = message.find("{}"); at != std::string::npos) message.replace(at, 2, std::to_string(seen.count));
-        warnings.push_back({{file_name, seen.line, 0}, std::move(message)});
+    for (const Kind& kind : kinds) {
+        std::string message(kind.first->kind);
+        replace_first(message, "{}", std::to_string(kind.count));
+        replace_first(message, "{value}", kind.first->value);
+        warnings.push_back({{file_name, kind.first->line, 0}, std::move(message)});
     }
     return warnings;
 }
@@ -33,21 +65,40 @@ SourcePlace place_of(const SvgReader& reader, const SvgNode& node) {
     return {reader.options.file_name, known->line, 0};
 }
 
+void note_fault(SvgReader& reader, const SvgNode& node, std::string_view name, std::string_view value,
+                std::string_view instead) {
+    if (trimmed(value).empty()) return;
+    std::string kind = "{} ";
+    for (const std::string_view part : {node.name, std::string_view(" elements have "), name,
+                                        std::string_view("=\"{value}\", which is not understood; "), instead})
+        kind += part;
+    reader.warnings.add_value(std::move(kind), value, node);
+}
+
 const SvgNode* find_reference(const SvgReader& reader, std::string_view reference) {
     const std::string_view trimmed_reference = trimmed(reference);
     if (!trimmed_reference.starts_with('#')) return nullptr;
     return reader.tree.find(trimmed_reference.substr(1));
 }
 
-SpecifiedStyle specified_style(const SvgReader& reader, const SvgNode& node) {
+SpecifiedStyle specified_style(SvgReader& reader, const SvgNode& node) {
     std::vector<std::pair<std::string_view, std::string_view>> presentation;
     std::string_view style_attribute;
     for (const SvgAttribute& attribute : node.attributes) {
         if (attribute.space != SvgNamespace::none) continue;
-        if (attribute.name == "style") style_attribute = attribute.value;
-        else if (is_presentation_attribute(attribute.name)) presentation.emplace_back(attribute.name, attribute.value);
+        if (attribute.name == "style")
+            style_attribute = attribute.value;
+        else if (is_presentation_attribute(attribute.name))
+            presentation.emplace_back(attribute.name, attribute.value);
     }
-    return specified_style(reader.sheet, reader.css, &node, presentation, style_attribute);
+    const auto accepts = [&](std::string_view property, std::string_view value) {
+        const bool accepted = is_understood(property, value);
+        // An older value before a newer one is a replacement by intention; a variable may hold something else.
+        if (!accepted && value.find("var(") != std::string_view::npos)
+            note_fault(reader, node, property, value, "the value that it replaces is taken");
+        return accepted;
+    };
+    return specified_style(reader.sheet, reader.css, &node, presentation, style_attribute, accepts);
 }
 
 namespace {
@@ -59,11 +110,18 @@ Affine own_transform(SvgReader& reader, const SvgContext& context) {
     ParsedTransform transform = parse_transform_attribute(context.style.transform);
     if (!transform.map) transform = parse_css_transform(context.style.transform, context.units, reference);
     if (!transform.map) {
-        reader.warnings.add("{} transforms are faulty and left out", *context.node);
+        note_fault(reader, *context.node, "transform", context.style.transform, "it is left out");
         return {};
     }
-    if (context.style.transform_origin.empty()) return *transform.map;
-    const auto origin = parse_transform_origin(context.style.transform_origin, context.units, reference);
+    const std::string& origin_text = context.style.transform_origin;
+    if (context.style.fill_box && (!origin_text.empty() || context.style.transform.find('%') != std::string::npos))
+        reader.warnings.add(
+            "{} elements are transformed within their own box (transform-box), which is not supported; the box of the "
+            "viewport is taken",
+            *context.node);
+    if (origin_text.empty()) return *transform.map;
+    const auto origin = parse_transform_origin(origin_text, context.units, reference);
+    if (!origin) note_fault(reader, *context.node, "transform-origin", origin_text, "the origin is taken");
     return origin ? about(*transform.map, *origin) : *transform.map;
 }
 
@@ -84,6 +142,8 @@ SvgContext enter(SvgReader& reader, const SvgContext& parent, const SvgNode& nod
     context.map = parent.map * own_transform(reader, context);
     context.depth = parent.depth + 1;
     context.context_style = parent.context_style;
+    for (const auto& [property, value] : context.style.faults)
+        note_fault(reader, node, property, value, "the inherited value, or else the default, is taken");
     return context;
 }
 
@@ -109,8 +169,9 @@ void take_back(SvgReader& reader, std::size_t first, SvgWarningLog::Mark mark) {
 
 void add_element(SvgReader& reader, Element element, const SvgNode& node) {
     if (++reader.drawn > reader.options.max_elements)
-        throw LimitError(place_of(reader, node), "the drawing has more than " + std::to_string(reader.options.max_elements) +
-                                                     " elements once every use is expanded; raise the limit or simplify the drawing");
+        throw LimitError(place_of(reader, node),
+                         "the drawing has more than " + std::to_string(reader.options.max_elements) +
+                             " elements once every use is expanded; raise the limit or simplify the drawing");
     reader.scene.elements.push_back(std::move(element));
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -23,7 +24,9 @@ class SvgWarningLog {
     using Mark = std::size_t;
 
     /// `kind` is a sentence with "{}" where the count goes, if it has one; the text must outlive the log.
-    void add(std::string_view kind, const SvgNode& node) { entries_.push_back({kind, node.line}); }
+    void add(std::string_view kind, const SvgNode& node) { entries_.push_back({kind, {}, node.line, nullptr}); }
+    /// A value that is not understood: `kind` has "{value}" where the first such value goes. An element counts once.
+    void add_value(std::string kind, std::string_view value, const SvgNode& node);
     Mark mark() const { return entries_.size(); }
     void take_back(Mark mark) { entries_.resize(mark); }
     /// One warning for each kind, in the order of first occurrence.
@@ -32,9 +35,12 @@ class SvgWarningLog {
   private:
     struct Entry {
         std::string_view kind;
+        std::string value;
         int line = 0;
+        const SvgNode* counts_once = nullptr;  ///< null = counts each time
     };
     std::vector<Entry> entries_;
+    std::set<std::string> value_kinds_;
 };
 
 /// Where the walk stands: an element with all that holds for it, and the way it was reached (through `use` as well).
@@ -77,12 +83,12 @@ struct SvgReader {
     Scene scene;
     SvgWarningLog warnings;
 
-    UnitContext root_units;        ///< inside the root element
-    double tolerance = 1e-3;       ///< px; smaller differences do not show
-    std::size_t drawn = 0;         ///< elements drawn so far, those taken back again included
+    UnitContext root_units;          ///< inside the root element
+    double tolerance = 1e-3;         ///< px; smaller differences do not show
+    std::size_t drawn = 0;           ///< elements drawn so far, those taken back again included
     std::size_t verbatim_bytes = 0;  ///< text of kept parts so far, those taken back again included
-    std::size_t kept_parts = 0;    ///< numbers the ids in kept parts
-    std::size_t blended = 0;       ///< elements so far that blend with what is below them
+    std::size_t kept_parts = 0;      ///< numbers the ids in kept parts
+    std::size_t blended = 0;         ///< elements so far that blend with what is below them
 
     std::unordered_set<const SvgNode*> open;  ///< elements being drawn now, against references that lead back to them
     std::unordered_map<const SvgNode*, std::shared_ptr<const SvgGradientDefinition>> gradients;
@@ -93,10 +99,16 @@ struct SvgReader {
 constexpr Affine scene_from_svg{1, 0, 0, -1, 0, 0};
 inline Affine scene_map(const SvgContext& context) { return scene_from_svg * context.map; }
 
+/// Warns of a value that is not understood: "{} <element> elements have the attribute name="value", which is not understood;
+/// instead". Empty values say nothing and are no faults.
+void note_fault(SvgReader& reader, const SvgNode& node, std::string_view name, std::string_view value,
+                std::string_view instead);
+
 /// Marks an element as being drawn as long as it lives; `fresh` is false if it is being drawn already.
 class SvgOpening {
   public:
-    SvgOpening(SvgReader& reader, const SvgNode& node) : reader_(reader), node_(node), fresh(reader.open.insert(&node).second) {}
+    SvgOpening(SvgReader& reader, const SvgNode& node)
+        : reader_(reader), node_(node), fresh(reader.open.insert(&node).second) {}
     ~SvgOpening() {
         if (fresh) reader_.open.erase(&node_);
     }
@@ -114,7 +126,7 @@ class SvgOpening {
 SourcePlace place_of(const SvgReader& reader, const SvgNode& node);
 /// "#id" to the element; null if there is none.
 const SvgNode* find_reference(const SvgReader& reader, std::string_view reference);
-SpecifiedStyle specified_style(const SvgReader& reader, const SvgNode& node);
+SpecifiedStyle specified_style(SvgReader& reader, const SvgNode& node);
 
 /// The context of a node below `parent`: style, transform of its own, depth. Throws LimitError beyond the depth limit.
 SvgContext enter(SvgReader& reader, const SvgContext& parent, const SvgNode& node);

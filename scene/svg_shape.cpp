@@ -15,8 +15,8 @@ namespace {
 constexpr double largest_coordinate = 1e15;
 // A map whose sides differ by less than this share is even: transforms are written with six to nine digits.
 constexpr double evenness = 1e-6;
-// Renderers draw square dots of length 0 wrongly or not at all, so that they become lines this much shorter than wide, and no
-// shorter (px) than what the fixed-point numbers of cairo, in steps of 1/256, can tell from 0.
+// Renderers draw square dots of length 0 wrongly or not at all, so that they become lines this much shorter than wide, and
+// no shorter (px) than what the fixed-point numbers of cairo, in steps of 1/256, can tell from 0.
 constexpr double dot_length = 0.002;
 constexpr double shortest_dot = 1.0 / 64;
 
@@ -49,7 +49,8 @@ bool in_range(const std::vector<Path>& paths) {
 
 bool is_dot(const Path& path) {
     return std::ranges::all_of(path.segments, [&](const Segment& segment) {
-        return segment.to == path.start && (segment.straight || (segment.control1 == path.start && segment.control2 == path.start));
+        return segment.to == path.start &&
+               (segment.straight || (segment.control1 == path.start && segment.control2 == path.start));
     });
 }
 
@@ -111,7 +112,11 @@ void draw_paths(SvgReader& reader, const SvgContext& context, const std::vector<
     if (!paints_fill(style) && !paints_stroke(style)) return;
     Element element;
     element.paths = with_dots_settled(outline, scene_map(context), style);
-    if (element.paths.empty()) return;
+    if (element.paths.empty()) {
+        reader.warnings.add("{} shapes of length 0 without round or square ends draw nothing and are left out",
+                            *context.node);
+        return;
+    }
     element.style = style;
     if (const std::string_view* id = find_attribute(*context.node, "id")) element.id = *id;
     add_element(reader, std::move(element), *context.node);
@@ -155,7 +160,8 @@ void draw_shape(SvgReader& reader, const SvgContext& context) {
     if (!context.style.visible) return;
     const std::vector<Path> outline = outline_of(reader, context);
     if (outline.empty()) return;
-    const bool stroke_in_range = context.style.stroke_width * context.style.miter_limit * reach_of(scene_map(context)) <= largest_coordinate;
+    const bool stroke_in_range =
+        context.style.stroke_width * context.style.miter_limit * reach_of(scene_map(context)) <= largest_coordinate;
     if (!in_range(outline) || !in_range(transformed(outline, scene_map(context))) || !stroke_in_range) {
         reader.warnings.add("{} shapes have lengths or coordinates beyond 1e15 and are left out", *context.node);
         return;

@@ -78,6 +78,7 @@ ParsedPoints parse_points(std::string_view text) {
     TextCursor cursor{trimmed(text)};
     const auto fail = [&](const char* fault) {
         result.faulty = true;
+        result.fault_at = static_cast<std::size_t>(cursor.text.data() - text.data()) + cursor.at;
         result.fault = fault;
         return result;
     };

@@ -29,6 +29,7 @@ std::vector<Path> polyline(std::span<const Point> points, bool closed);
 struct ParsedPoints {
     std::vector<Point> points;
     bool faulty = false;
+    std::size_t fault_at = 0;  ///< offset in the text
     std::string fault;
 };
 ParsedPoints parse_points(std::string_view text);

@@ -37,7 +37,8 @@ bool assign_keyword(T& field, std::string_view value, const std::pair<std::strin
 }
 
 bool assign_rule(FillRule& field, std::string_view value) {
-    static constexpr std::pair<std::string_view, FillRule> keywords[] = {{"nonzero", FillRule::nonzero}, {"evenodd", FillRule::evenodd}};
+    static constexpr std::pair<std::string_view, FillRule> keywords[] = {{"nonzero", FillRule::nonzero},
+                                                                         {"evenodd", FillRule::evenodd}};
     return assign_keyword(field, value, keywords);
 }
 
@@ -118,10 +119,14 @@ bool apply_paint_order(SvgStyle& style, std::string_view value, const UnitContex
     TextCursor cursor{value};
     skip_space(cursor);
     while (!cursor.at_end()) {
-        if (skip_token(cursor, "fill")) add(PaintPart::fill);
-        else if (skip_token(cursor, "stroke")) add(PaintPart::stroke);
-        else if (skip_token(cursor, "markers")) add(PaintPart::markers);
-        else if (!skip_token(cursor, "normal")) return false;
+        if (skip_token(cursor, "fill"))
+            add(PaintPart::fill);
+        else if (skip_token(cursor, "stroke"))
+            add(PaintPart::stroke);
+        else if (skip_token(cursor, "markers"))
+            add(PaintPart::markers);
+        else if (!skip_token(cursor, "normal"))
+            return false;
         skip_space(cursor);
     }
     for (const PaintPart part : {PaintPart::fill, PaintPart::stroke, PaintPart::markers}) add(part);
@@ -130,7 +135,8 @@ bool apply_paint_order(SvgStyle& style, std::string_view value, const UnitContex
 }
 
 bool apply_visibility(SvgStyle& style, std::string_view value, const UnitContext&) {
-    static constexpr std::pair<std::string_view, bool> keywords[] = {{"visible", true}, {"hidden", false}, {"collapse", false}};
+    static constexpr std::pair<std::string_view, bool> keywords[] = {
+        {"visible", true}, {"hidden", false}, {"collapse", false}};
     return assign_keyword(style.visible, value, keywords);
 }
 
@@ -141,9 +147,12 @@ bool apply_rendering(SvgStyle& style, std::string_view value, const UnitContext&
 }
 
 bool apply_overflow(SvgStyle& style, std::string_view value, const UnitContext&) {
-    if (value == "visible" || value == "auto") style.overflow_visible = true;
-    else if (value == "hidden" || value == "scroll" || value == "clip") style.overflow_visible = false;
-    else return false;
+    if (value == "visible" || value == "auto")
+        style.overflow_visible = true;
+    else if (value == "hidden" || value == "scroll" || value == "clip")
+        style.overflow_visible = false;
+    else
+        return false;
     return true;
 }
 
@@ -196,7 +205,8 @@ constexpr auto properties = std::to_array<Property>({
     {"stroke-linejoin", apply_join, [](S& s, const S& p) { s.join = p.join; }},
     {"stroke-miterlimit", apply_miter_limit, [](S& s, const S& p) { s.miter_limit = p.miter_limit; }},
     {"stroke-dasharray", apply_dashes, [](S& s, const S& p) { s.dashes = p.dashes; }},
-    {"stroke-dashoffset", [](S& s, V v, const U& u) { return assign(s.dash_offset, parse_length(v, u, LengthAxis::diagonal)); },
+    {"stroke-dashoffset",
+     [](S& s, V v, const U& u) { return assign(s.dash_offset, parse_length(v, u, LengthAxis::diagonal)); },
      [](S& s, const S& p) { s.dash_offset = p.dash_offset; }},
     {"marker", apply_marker,
      [](S& s, const S& p) { s.marker_start = p.marker_start, s.marker_mid = p.marker_mid, s.marker_end = p.marker_end; }},
@@ -216,7 +226,8 @@ constexpr auto properties = std::to_array<Property>({
     {"clip-path", [](S& s, V v, const U&) { return assign_effect(s.clip_path, v); },
      [](S& s, const S& p) { s.clip_path = p.clip_path; }},
     {"mask", [](S& s, V v, const U&) { return assign_effect(s.mask, v); }, [](S& s, const S& p) { s.mask = p.mask; }},
-    {"filter", [](S& s, V v, const U&) { return assign_effect(s.filter, v); }, [](S& s, const S& p) { s.filter = p.filter; }},
+    {"filter", [](S& s, V v, const U&) { return assign_effect(s.filter, v); },
+     [](S& s, const S& p) { s.filter = p.filter; }},
     {"overflow", apply_overflow, [](S& s, const S& p) { s.overflow_visible = p.overflow_visible; }},
     {"vector-effect", [](S& s, V v, const U&) { return s.non_scaling_stroke = v == "non-scaling-stroke", true; },
      [](S& s, const S& p) { s.non_scaling_stroke = p.non_scaling_stroke; }},
@@ -228,7 +239,8 @@ constexpr auto properties = std::to_array<Property>({
      [](S& s, const S& p) { s.transform = p.transform; }},
     {"transform-origin", [](S& s, V v, const U&) { return assign_effect(s.transform_origin, v); },
      [](S& s, const S& p) { s.transform_origin = p.transform_origin; }},
-    {"transform-box", [](S& s, V v, const U&) { return s.fill_box = v == "fill-box" || v == "stroke-box" || v == "content-box", true; },
+    {"transform-box",
+     [](S& s, V v, const U&) { return s.fill_box = v == "fill-box" || v == "stroke-box" || v == "content-box", true; },
      [](S& s, const S& p) { s.fill_box = p.fill_box; }},
     {"stop-color", [](S& s, V v, const U&) { return assign(s.stop_color, parse_color(v)); },
      [](S& s, const S& p) { s.stop_color = p.stop_color; }},
@@ -257,6 +269,7 @@ SvgStyle inherited_part(const SvgStyle& parent) {
     style.transform_origin.clear();
     style.stop_color = {};
     style.stop_opacity = 1;
+    style.faults.clear();
     return style;
 }
 
@@ -265,33 +278,94 @@ void apply_initial(SvgStyle& style, const Property& property) {
     property.inherit(style, initial);
 }
 
-constexpr std::string_view inherited_properties[] = {
-    "clip-rule", "color", "color-interpolation", "color-interpolation-filters", "color-rendering", "cursor", "direction",
-    "dominant-baseline", "fill", "fill-opacity", "fill-rule", "font", "font-family", "font-feature-settings", "font-size",
-    "font-size-adjust", "font-stretch", "font-style", "font-variant", "font-weight", "glyph-orientation-horizontal",
-    "glyph-orientation-vertical", "image-rendering", "kerning", "letter-spacing", "line-height", "marker", "marker-end",
-    "marker-mid", "marker-start", "paint-order", "pointer-events", "shape-rendering", "stroke", "stroke-dasharray",
-    "stroke-dashoffset", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-opacity", "stroke-width",
-    "text-align", "text-anchor", "text-indent", "text-orientation", "text-rendering", "visibility", "white-space",
-    "word-spacing", "writing-mode"};
+constexpr std::string_view inherited_properties[] = {"clip-rule",
+                                                     "color",
+                                                     "color-interpolation",
+                                                     "color-interpolation-filters",
+                                                     "color-rendering",
+                                                     "cursor",
+                                                     "direction",
+                                                     "dominant-baseline",
+                                                     "fill",
+                                                     "fill-opacity",
+                                                     "fill-rule",
+                                                     "font",
+                                                     "font-family",
+                                                     "font-feature-settings",
+                                                     "font-size",
+                                                     "font-size-adjust",
+                                                     "font-stretch",
+                                                     "font-style",
+                                                     "font-variant",
+                                                     "font-weight",
+                                                     "glyph-orientation-horizontal",
+                                                     "glyph-orientation-vertical",
+                                                     "image-rendering",
+                                                     "kerning",
+                                                     "letter-spacing",
+                                                     "line-height",
+                                                     "marker",
+                                                     "marker-end",
+                                                     "marker-mid",
+                                                     "marker-start",
+                                                     "paint-order",
+                                                     "pointer-events",
+                                                     "shape-rendering",
+                                                     "stroke",
+                                                     "stroke-dasharray",
+                                                     "stroke-dashoffset",
+                                                     "stroke-linecap",
+                                                     "stroke-linejoin",
+                                                     "stroke-miterlimit",
+                                                     "stroke-opacity",
+                                                     "stroke-width",
+                                                     "text-align",
+                                                     "text-anchor",
+                                                     "text-indent",
+                                                     "text-orientation",
+                                                     "text-rendering",
+                                                     "visibility",
+                                                     "white-space",
+                                                     "word-spacing",
+                                                     "writing-mode"};
 
-constexpr std::string_view own_properties[] = {
-    "alignment-baseline", "baseline-shift", "clip-path", "display", "enable-background", "filter", "flood-color",
-    "flood-opacity", "isolation", "lighting-color", "mask", "mask-type", "mix-blend-mode", "opacity", "overflow",
-    "stop-color", "stop-opacity", "text-decoration", "transform", "transform-origin", "unicode-bidi", "vector-effect"};
+constexpr std::string_view own_properties[] = {"alignment-baseline", "baseline-shift",  "clip-path",   "display",
+                                               "enable-background",  "filter",          "flood-color", "flood-opacity",
+                                               "isolation",          "lighting-color",  "mask",        "mask-type",
+                                               "mix-blend-mode",     "opacity",         "overflow",    "stop-color",
+                                               "stop-opacity",       "text-decoration", "transform",   "transform-origin",
+                                               "unicode-bidi",       "vector-effect"};
+
+const Property* find_property(std::string_view name) {
+    const auto found = std::ranges::lower_bound(properties_by_name, name, {}, &Property::name);
+    return found != properties_by_name.end() && found->name == name ? &*found : nullptr;
+}
+
+bool is_css_wide(std::string_view value) {
+    return value == "inherit" || value == "initial" || value == "unset" || value == "revert";
+}
 
 }  // namespace
+
+bool is_understood(std::string_view property, std::string_view value) {
+    const Property* known = find_property(property);
+    SvgStyle scratch;
+    return known == nullptr || is_css_wide(value) || known->apply(scratch, value, UnitContext{});
+}
 
 SvgStyle computed_style(const SpecifiedStyle& specified, const SvgStyle& parent, const UnitContext& units) {
     SvgStyle style = inherited_part(parent);
     if (specified.empty()) return style;
     UnitContext own_units = units;
     for (const auto& [name, value] : specified) {
-        const auto property = std::ranges::lower_bound(properties_by_name, std::string_view(name), {}, &Property::name);
-        if (property == properties_by_name.end() || property->name != name) continue;
-        if (value == "inherit") property->inherit(style, parent);
-        else if (value == "initial") apply_initial(style, *property);
-        else if (value != "unset" && value != "revert") property->apply(style, value, own_units);
+        const Property* property = find_property(name);
+        if (property == nullptr) continue;
+        if (value == "inherit")
+            property->inherit(style, parent);
+        else if (value == "initial")
+            apply_initial(style, *property);
+        else if (!is_css_wide(value) && !property->apply(style, value, own_units))
+            style.faults.emplace_back(name, value);
         own_units.font_size = style.font_size;
     }
     return style;

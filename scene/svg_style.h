@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/style.h"
@@ -40,7 +41,7 @@ struct SvgStyle {
     // Of the element alone.
     bool displayed = true;
     double opacity = 1;
-    std::string clip_path, mask, filter;  ///< as written, empty = none
+    std::string clip_path, mask, filter;   ///< as written, empty = none
     std::optional<bool> overflow_visible;  ///< nothing: the default of the element
     bool non_scaling_stroke = false;
     bool blended = false;   ///< mix-blend-mode other than normal
@@ -50,11 +51,15 @@ struct SvgStyle {
     bool fill_box = false;  ///< transform-box: fill-box or the like
     ParsedColor stop_color;
     double stop_opacity = 1;
+    std::vector<std::pair<std::string, std::string>> faults;  ///< (property, value) of values that are not understood
 };
 
 /// The style of a child of an element with style `parent`. `units` are of the child's surroundings (the parent's font size).
-/// A value that is not understood is as if it were not there.
+/// A value that is not understood is as if it were not there, and in `faults`.
 SvgStyle computed_style(const SpecifiedStyle& specified, const SvgStyle& parent, const UnitContext& units);
+
+/// Is it a value that computed_style takes? True for all values of properties that it does not know.
+bool is_understood(std::string_view property, std::string_view value);
 
 /// `color` with currentColor put in.
 ParsedColor resolved_color(const ParsedColor& color, const SvgStyle& style);

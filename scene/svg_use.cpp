@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/svg_attribute_check.h"
 #include "scene/svg_clip.h"
 #include "scene/svg_draw.h"
 #include "scene/svg_effects.h"
@@ -22,8 +23,8 @@ AspectRatio aspect_of(const SvgNode& node) {
     return text == nullptr ? AspectRatio{} : parse_aspect_ratio(*text).value_or(AspectRatio{});
 }
 
-/// Moves the context into the viewport of a symbol or svg whose corner is at the origin and draws its children, clipped to it
-/// unless it lets them overflow.
+/// Moves the context into the viewport of a symbol or svg whose corner is at the origin and draws its children, clipped to
+/// it unless it lets them overflow.
 void draw_in_viewport(SvgReader& reader, SvgContext& context, double width, double height) {
     if (!(width > 0) || !(height > 0)) return;
     const Affine outside = context.map;
@@ -51,12 +52,14 @@ double viewport_size(const SvgContext& use, const SvgContext& target, std::strin
 void draw_used_viewport(SvgReader& reader, const SvgContext& use, const SvgNode& target) {
     SvgContext context = enter(reader, use, target);
     if (!context.style.displayed) return;
+    check_attributes(reader, target, context.specified);
     const SvgOpening opening(reader, target);
     const SvgMark mark = mark_of(reader);
     const double width = viewport_size(use, context, "width", LengthAxis::x);
     const double height = viewport_size(use, context, "height", LengthAxis::y);
     if (target.name == "svg")
-        context.map = context.map * translation(length_of(context, "x", LengthAxis::x, 0), length_of(context, "y", LengthAxis::y, 0));
+        context.map =
+            context.map * translation(length_of(context, "x", LengthAxis::x, 0), length_of(context, "y", LengthAxis::y, 0));
     draw_in_viewport(reader, context, width, height);
     finish_effects(reader, context, mark);
 }
@@ -74,11 +77,32 @@ std::vector<std::string_view> words_of(std::string_view text, char separator) {
 /// Features of SVG 1.1 (appendix O) that a picture at rest has.
 bool is_feature_of_pictures(std::string_view feature) {
     constexpr std::string_view prefix = "http://www.w3.org/TR/SVG11/feature#";
-    static constexpr std::string_view names[] = {
-        "SVG", "SVG-static", "SVGDOM-static", "Structure", "BasicStructure", "ContainerAttribute", "ConditionalProcessing",
-        "Image", "Style", "View", "ViewportAttribute", "Shape", "BasicText", "PaintAttribute", "BasicPaintAttribute",
-        "OpacityAttribute", "GraphicsAttribute", "BasicGraphicsAttribute", "Marker", "Gradient", "Pattern", "Clip",
-        "BasicClip", "Mask", "Filter", "BasicFilter"};
+    static constexpr std::string_view names[] = {"SVG",
+                                                 "SVG-static",
+                                                 "SVGDOM-static",
+                                                 "Structure",
+                                                 "BasicStructure",
+                                                 "ContainerAttribute",
+                                                 "ConditionalProcessing",
+                                                 "Image",
+                                                 "Style",
+                                                 "View",
+                                                 "ViewportAttribute",
+                                                 "Shape",
+                                                 "BasicText",
+                                                 "PaintAttribute",
+                                                 "BasicPaintAttribute",
+                                                 "OpacityAttribute",
+                                                 "GraphicsAttribute",
+                                                 "BasicGraphicsAttribute",
+                                                 "Marker",
+                                                 "Gradient",
+                                                 "Pattern",
+                                                 "Clip",
+                                                 "BasicClip",
+                                                 "Mask",
+                                                 "Filter",
+                                                 "BasicFilter"};
     return feature.starts_with(prefix) && std::ranges::find(names, feature.substr(prefix.size())) != std::end(names);
 }
 
@@ -100,7 +124,8 @@ bool passes_conditions(const SvgNode& node) {
 
 void draw_use(SvgReader& reader, SvgContext& context) {
     const std::string_view reference = href_of(*context.node);
-    context.map = context.map * translation(length_of(context, "x", LengthAxis::x, 0), length_of(context, "y", LengthAxis::y, 0));
+    context.map =
+        context.map * translation(length_of(context, "x", LengthAxis::x, 0), length_of(context, "y", LengthAxis::y, 0));
     const SvgNode* target = find_reference(reader, reference);
     if (target == nullptr) {
         const bool elsewhere = !reference.empty() && !reference.starts_with('#');
@@ -113,7 +138,8 @@ void draw_use(SvgReader& reader, SvgContext& context) {
         reader.warnings.add("{} references that lead back to themselves are skipped", *context.node);
         return;
     }
-    if (is_svg(*target) && (target->name == "symbol" || target->name == "svg")) return draw_used_viewport(reader, context, *target);
+    if (is_svg(*target) && (target->name == "symbol" || target->name == "svg"))
+        return draw_used_viewport(reader, context, *target);
     draw_node(reader, context, *target);
 }
 

@@ -98,7 +98,8 @@ TEST_CASE("A drawing that cannot be read is refused with its place") {
 TEST_CASE("A fault inside a drawing costs a warning with its place, not the drawing") {
     const std::vector<std::pair<std::string, std::string>> faults = {
         {"recursive use", "<g id=\"a\"><use xlink:href=\"#b\"/></g><g id=\"b\"><use xlink:href=\"#a\"/></g>"},
-        {"not a number", "<g transform=\"scale(NaN)\"><rect width=\"10\" height=\"10\"/></g>"},
+        {"not a number", "<rect x=\"NaN\" y=\"1\" width=\"10\" height=\"10\"/>"},
+        {"a transform of no numbers", "<g transform=\"scale(NaN)\"><rect width=\"10\" height=\"10\"/></g>"},
         {"numbers near the end of all numbers", "<rect width=\"1e308\" height=\"1e308\" transform=\"scale(1e308)\"/>"},
         {"path that breaks off", "<path d=\"M0 0 L 10 10 L 20 fish\"/>"},
         {"unknown reference", "<use xlink:href=\"#nobody\"/>"},

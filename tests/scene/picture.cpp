@@ -17,7 +17,7 @@ namespace {
 
 using Pixel = std::array<int, 3>;
 
-struct Picture {
+struct Shot {
     int width = 0, height = 0;
     std::vector<Pixel> pixels;
     const Pixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
@@ -36,12 +36,12 @@ cairo_status_t read_bytes(void* closure, unsigned char* data, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-Picture picture_of(const std::string& svg, int width) {
+Shot picture_of(const std::string& svg, int width) {
     const std::string png = svg_to_png(svg, width);
     Reading reading{png};
     const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
         cairo_image_surface_create_from_png_stream(read_bytes, &reading), cairo_surface_destroy);
-    Picture picture{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
+    Shot picture{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
     const unsigned char* data = cairo_image_surface_get_data(surface.get());
     const int stride = cairo_image_surface_get_stride(surface.get());
     for (int y = 0; y < picture.height; ++y)
@@ -60,7 +60,7 @@ constexpr int inked_below = 250;
 
 bool inked(const Pixel& pixel) { return *std::ranges::min_element(pixel) < inked_below; }
 
-bool far_from_all_near(const Pixel& pixel, const Picture& other, int x, int y) {
+bool far_from_all_near(const Pixel& pixel, const Shot& other, int x, int y) {
     for (int ny = std::max(0, y - 1); ny <= std::min(other.height - 1, y + 1); ++ny)
         for (int nx = std::max(0, x - 1); nx <= std::min(other.width - 1, x + 1); ++nx) {
             const Pixel& near = other.at(nx, ny);
@@ -74,7 +74,7 @@ bool far_from_all_near(const Pixel& pixel, const Picture& other, int x, int y) {
 }  // namespace
 
 double picture_difference(const std::string& svg, const std::string& other_svg, int width) {
-    const Picture a = picture_of(svg, width), b = picture_of(other_svg, width);
+    const Shot a = picture_of(svg, width), b = picture_of(other_svg, width);
     if (a.height != b.height) return 1;
     int ink = 0, different = 0;
     for (int y = 0; y < a.height; ++y)

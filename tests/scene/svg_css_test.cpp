@@ -59,6 +59,22 @@ std::string fill_of(const std::string& sheet, const Node* node, std::string_view
 
 }  // namespace
 
+TEST_CASE("of several values of a property the strongest that is understood holds") {
+    const StyleSheet sheet = parse_style_sheets({});
+    const CssTree tree{
+        .name = [](CssNode) { return "rect"; },
+        .attribute = [](CssNode, std::string_view) -> std::optional<std::string_view> { return std::nullopt; }};
+    const auto short_ones = [](std::string_view, std::string_view value) { return value.size() <= 4; };
+    const std::vector<std::pair<std::string_view, std::string_view>> presentation = {{"fill", "blue"}};
+    const auto fill = [&](std::string_view style) {
+        return *find_value(specified_style(sheet, tree, nullptr, presentation, style, short_ones), "fill");
+    };
+    CHECK(fill("fill:red;fill:color(display-p3 1 0 0)") == "red");
+    CHECK(fill("fill:red!important;fill:lime") == "red");
+    CHECK(fill("fill:color(display-p3 1 0 0)") == "blue");
+    CHECK(fill("") == "blue");
+}
+
 TEST_CASE("each kind of selector matches what it names and nothing else") {
     Tree tree;
     Node* root = tree.add(nullptr, "svg");
