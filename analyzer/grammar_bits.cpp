@@ -110,8 +110,15 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
             if (module.symbol == "z") bits.grammar += 6;
         }
     }
+    std::vector<char> alone(instancing.instances.size(), 0);  // written flat: nothing is left over
+    for (const int root : ordered.roots) {
+        const int element = ordered.rules.items[static_cast<std::size_t>(root)].element;
+        if (element >= 0) alone[static_cast<std::size_t>(element)] = 1;
+    }
     for (std::size_t leaf = 0; leaf < deviation.size() && leaf < written.element_of_leaf.size(); ++leaf) {
-        const Instance& instance = instancing.instances[static_cast<std::size_t>(written.element_of_leaf[leaf])];
+        const auto element = static_cast<std::size_t>(written.element_of_leaf[leaf]);
+        if (alone[element]) continue;
+        const Instance& instance = instancing.instances[element];
         const double in_precisions = deviation[leaf] / (precision * scale_of(instance.pose));
         if (in_precisions > 1) bits.grammar += 2 * std::log2(1 + in_precisions);
     }

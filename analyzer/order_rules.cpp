@@ -43,28 +43,32 @@ struct Votes {
     std::map<std::pair<int, int>, double> roots;
 };
 
+constexpr double faint_vote = 1e-3;  // of pairs whose order hardly shows
+
 Votes overlap_votes(const RuleSet& rules, const Overlaps& overlaps, const std::vector<Place>& places) {
     std::map<int, int> item_of_element;
     for (std::size_t i = 0; i < rules.items.size(); ++i) {
         if (rules.items[i].element >= 0) item_of_element[rules.items[i].element] = static_cast<int>(i);
     }
     Votes votes;
-    for (const OverlapPair& pair : overlaps.pairs) {
+    const auto vote = [&](const OverlapPair& pair, double weight) {
         const auto lower = item_of_element.find(pair.lower), upper = item_of_element.find(pair.upper);
-        if (lower == item_of_element.end() || upper == item_of_element.end()) continue;
+        if (lower == item_of_element.end() || upper == item_of_element.end()) return;
         const std::vector<int> a = way_up(places, lower->second), b = way_up(places, upper->second);
         // From the root down to where the ways part.
         std::size_t shared = 0;
         while (shared < a.size() && shared < b.size() && a[a.size() - 1 - shared] == b[b.size() - 1 - shared]) ++shared;
         const int below = a[a.size() - 1 - shared], over = b[b.size() - 1 - shared];
         if (shared == 0) {
-            votes.roots[{below, over}] += 1;
-            continue;
+            votes.roots[{below, over}] += weight;
+            return;
         }
         const Item& parent = rules.items[static_cast<std::size_t>(a[a.size() - shared])];
         votes.by_part[parent.part][{places[static_cast<std::size_t>(below)].index,
-                                    places[static_cast<std::size_t>(over)].index}] += 1;
-    }
+                                    places[static_cast<std::size_t>(over)].index}] += weight;
+    };
+    for (const OverlapPair& pair : overlaps.pairs) vote(pair, 1);
+    for (const OverlapPair& pair : overlaps.faint) vote(pair, faint_vote);
     return votes;
 }
 

@@ -82,6 +82,10 @@ std::string summary_of(const Verification& result, bool all_overlaps) {
 }  // namespace
 
 Verification verify(const Grammar& grammar, const Scene& scene, const VerifyOptions& options) {
+    return verify(grammar, scene, find_overlaps(scene), options);
+}
+
+Verification verify(const Grammar& grammar, const Scene& scene, const Overlaps& overlaps, const VerifyOptions& options) {
     const double diagonal = drawing_diagonal(scene);
     // 1. Derive afresh.
     const Scene drawn = to_scene(grammar, interpret(grammar));
@@ -91,7 +95,6 @@ Verification verify(const Grammar& grammar, const Scene& scene, const VerifyOpti
     measure_matches(matches, diagonal, options.tolerance, result);
     result.surplus = static_cast<int>(drawn.elements.size()) - (result.elements - result.unmatched);
     // 3. Paint order.
-    const Overlaps overlaps = find_overlaps(scene);
     check_order(overlaps, matches, result);
     result.passed = result.faulty.empty() && result.surplus == 0;
     result.summary = summary_of(result, overlaps.complete);

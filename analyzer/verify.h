@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/overlaps.h"
 #include "lsystem/grammar.h"
 #include "scene/element.h"
 
@@ -30,5 +31,8 @@ struct Verification {
 /// Derives the grammar afresh and compares outline by outline (both ways, along the curves), style by style, and the paint
 /// order of every pair that find_overlaps lists: those whose order a picture 900 pixels wide shows. Passed = all counts of faults are 0.
 Verification verify(const Grammar& grammar, const Scene& scene, const VerifyOptions& options = {});
+
+/// The same with the scene's overlaps at hand: whatever pairs are in there must be painted in the drawing's order.
+Verification verify(const Grammar& grammar, const Scene& scene, const Overlaps& overlaps, const VerifyOptions& options = {});
 
 }  // namespace rinceau

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "scene/input_error.h"
@@ -84,7 +85,9 @@ void require_success(cairo_status_t status) {
 
 }  // namespace
 
-std::string svg_to_png(std::string_view svg, int width) {
+namespace {
+
+Surface rendered(std::string_view svg, int width) {
     const Handle handle = open_document(svg);
     Size size = document_size(handle.get());
     if (width > 0 && size.width > 0) size = {static_cast<double>(width), size.height * width / size.width};
@@ -93,13 +96,40 @@ std::string svg_to_png(std::string_view svg, int width) {
     if (!(pixels.width <= largest_side && pixels.height <= largest_side)) {
         throw LimitError({}, "the picture would exceed 32767 pixels a side; ask for a smaller width");
     }
-    const Surface surface(
+    Surface surface(
         cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(pixels.width), static_cast<int>(pixels.height)));
     require_success(cairo_surface_status(surface.get()));
     render(handle.get(), surface.get(), size);
+    return surface;
+}
+
+}  // namespace
+
+std::string svg_to_png(std::string_view svg, int width) {
+    const Surface surface = rendered(svg, width);
     std::string png;
     require_success(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &png));
     return png;
+}
+
+Picture svg_to_picture(std::string_view svg, int width) {
+    const Surface surface = rendered(svg, width);
+    cairo_surface_flush(surface.get());
+    Picture picture{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
+    const unsigned char* rows = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    picture.rgb.reserve(static_cast<std::size_t>(3 * picture.width * picture.height));
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            std::uint32_t pixel = 0;  // alpha, red, green, blue from the top byte down; colours premultiplied
+            std::memcpy(&pixel, rows + y * stride + 4 * x, sizeof pixel);
+            const std::uint32_t white = 255 - (pixel >> 24U);
+            for (const unsigned shift : {16U, 8U, 0U}) {
+                picture.rgb.push_back(static_cast<std::uint8_t>(std::min<std::uint32_t>(255, ((pixel >> shift) & 255U) + white)));
+            }
+        }
+    }
+    return picture;
 }
 
 std::string svg_to_pdf(std::string_view svg) {

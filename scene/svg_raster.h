@@ -4,11 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "scene/picture.h"
+
 namespace rinceau {
 
 /// PNG bytes of an SVG document, `width` pixels wide (0 = its own size), over transparent ground.
 /// Throws InputError if librsvg refuses the document, LimitError if the picture would exceed 32767 pixels a side.
 std::string svg_to_png(std::string_view svg, int width = 0);
+
+/// The same picture over white, as pixels.
+Picture svg_to_picture(std::string_view svg, int width);
 
 /// PDF bytes of an SVG document, one page of its size (96 px = 72 pt).
 std::string svg_to_pdf(std::string_view svg);
