@@ -150,14 +150,21 @@ void stack_copies(SearchState& state, int p, const std::vector<std::vector<int>>
     }
 }
 
-double median_neighbour_distance(const SearchState& state) {
+/// The distance that counts as near in this drawing: of neighbours' origins, but not less than an element's size, since
+/// concentric elements are no measure of how far apart things stand.
+double near_distance(const SearchState& state) {
     std::vector<Point> origins;
+    std::vector<double> sizes;
     for (const auto& members : state.members) {
         for (const int i : members) {
-            if (state.item(i).alive) origins.push_back(state.item(i).pose.translation);
+            if (!state.item(i).alive) continue;
+            origins.push_back(state.item(i).pose.translation);
+            sizes.push_back(scale_of(state.item(i).pose));
         }
     }
-    return median_nearest(origins, 1e-3 * state.diagonal);
+    if (origins.empty()) return state.diagonal;
+    std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
+    return std::max({median_nearest(origins, 0), sizes[sizes.size() / 2], 1e-9 * state.diagonal});
 }
 
 }  // namespace
@@ -192,7 +199,7 @@ SearchState starting_state(const Instancing& instancing, const PoseTolerance& to
         const auto copies = coincident_copies(state, p);
         stack_copies(state, p, copies);
     }
-    state.neighbour_distance = median_neighbour_distance(state);
+    state.neighbour_distance = near_distance(state);
     std::vector<int> all(state.rules.parts.size());
     for (std::size_t p = 0; p < all.size(); ++p) all[p] = static_cast<int>(p);
     refresh(state, all);
