@@ -127,8 +127,8 @@ struct GradientFrame {
     Affine map;  ///< from the unit gradient to gradient space
     Point focus;
     double focal_radius = 0;
-    bool degenerate = false;  ///< no extent: the last stop's colour everywhere
-    bool focus_moved = false;
+    bool degenerate = false;     ///< no extent: the last stop's colour everywhere
+    bool focus_outside = false;  ///< the focal circle leaves the circle: a cone
 };
 
 GradientFrame linear_frame(const SvgGradientDefinition& d, const UnitContext& units) {
@@ -150,9 +150,10 @@ GradientFrame radial_frame(const SvgGradientDefinition& d, const UnitContext& un
     if (radius < 0) radius = half(LengthAxis::diagonal);
     if (radius == 0) return {.degenerate = true};
     Point focus = (Point{value(d.fx, LengthAxis::x, center.x), value(d.fy, LengthAxis::y, center.y)} - center) / radius;
-    const bool outside = abs(focus) > 1;
+    const double focal_share = std::max(0.0, value(d.fr, LengthAxis::diagonal, 0) / radius);
+    const bool outside = abs(focus) > 1 || (focal_share > 0 && abs(focus) + focal_share > 1);
     if (abs(focus) > 1 - focus_margin) focus = focus * ((1 - focus_margin) / abs(focus));
-    const double focal_radius = std::clamp(value(d.fr, LengthAxis::diagonal, 0) / radius, 0.0, 1 - focus_margin);
+    const double focal_radius = std::min(focal_share, 1 - focus_margin);
     return {{radius, 0, 0, radius, center.x, center.y}, focus, focal_radius, false, outside};
 }
 
@@ -181,11 +182,8 @@ std::optional<SvgPaint> resolve_gradient(SvgReader& reader, const SvgContext& co
     map = map * definition.transform;
     if (determinant(map) == 0) return SvgPaint{};
     if (frame.degenerate) return solid(last.color, last.opacity);
-    if (frame.focus_moved)
-        reader.warnings.add(
-            "{} shapes have a gradient with its focus (fx, fy) outside the circle, where renderers differ; it is moved "
-            "to the circle",
-            *context.node);
+    // Renderers differ on these, and a style cannot hold them.
+    if (frame.focus_outside) return SvgPaint{NoPaint{}, 1, true};
     Gradient gradient{definition.kind, definition.spread, definition.stops,
                       map * frame.map, frame.focus,       frame.focal_radius};
     return SvgPaint{std::make_shared<const Gradient>(std::move(gradient)), 1, false};

@@ -173,7 +173,9 @@ void draw_shape(SvgReader& reader, const SvgContext& context) {
         if (context.style.fill.kind != PaintKind::none) measured.style.fill = Color{};
         if (context.style.stroke.kind != PaintKind::none) measured.style.stroke.paint = Color{};
         const Box box = marked ? Box{} : painted_box(measured);
-        keep_verbatim(reader, context, box, "{} shapes painted with a pattern are kept as they are");
+        keep_verbatim(reader, context, box,
+                      "{} shapes painted with a pattern, or with a gradient whose focus lies outside its circle, are kept "
+                      "as they are");
         return;
     }
     if (context.style.non_scaling_stroke && paints_stroke(shape.style))
