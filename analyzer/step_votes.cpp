@@ -15,9 +15,11 @@ VoteCoordinates step_coordinates(const Similarity& step, const VoteCell& cell) {
 }
 
 VoteCoordinates linear_coordinates(const StepVote& vote, const VoteCell& cell) {
+    constexpr double finer = 0.25;  // a chain walked backwards exchanges the two changes: near values must stay apart
     const double advance = abs(vote.step.translation);
     return {advance / (cell.place * (1 + cell.per_distance * advance)), std::log(scale_of(vote.step)) / cell.spin,
-            vote.turn_change / cell.spin, vote.spin_change / cell.spin};
+            vote.turn_change / (finer * cell.spin),
+            vote.spin_change / (finer * cell.spin)};
 }
 
 std::uint64_t StepVotes::key(const std::array<std::int64_t, 4>& at, bool mirrored) const {
