@@ -55,8 +55,7 @@ struct Description {
     WrittenGrammar written;
     Grammar exact;  ///< with residuals, before layers
     std::vector<double> deviation;
-    Grammar grammar;
-    DescriptionBits bits;
+    DescriptionBits bits;  ///< of `exact`
     double tolerance = 0;
 };
 
@@ -67,6 +66,11 @@ struct Drawing {
     double diagonal;
 };
 
+DescriptionBits bits_of(const Description& description, const Grammar& grammar, const Drawing& drawing) {
+    return description_bits(description.ordered, description.written, grammar, drawing.instancing, description.deviation,
+                            drawing.diagonal);
+}
+
 Description describe(const Drawing& drawing, RuleSet rules, double tolerance) {
     Description description;
     description.tolerance = tolerance;
@@ -76,9 +80,7 @@ Description describe(const Drawing& drawing, RuleSet rules, double tolerance) {
     Residuals exact = with_residuals(description.written, drawing.instancing, exact_share * drawing.diagonal);
     description.exact = std::move(exact.grammar);
     description.deviation = std::move(exact.deviation);
-    description.grammar = with_paint_order(description.exact, description.written.element_of_leaf, drawing.overlaps);
-    description.bits = description_bits(description.ordered, description.written, description.grammar, drawing.instancing,
-                                        description.deviation, drawing.diagonal);
+    description.bits = bits_of(description, description.exact, drawing);
     return description;
 }
 
@@ -97,9 +99,11 @@ RuleSet no_rules(const Drawing& drawing) {
     return flat;
 }
 
-std::vector<double> tolerances(const AnalyzeOptions& options) {
+std::vector<double> tolerances(const AnalyzeOptions& options, std::size_t elements) {
     if (options.tolerance > 0) return {options.tolerance};
-    return {std::begin(tolerance_ladder), std::end(tolerance_ladder)};
+    // Large drawings are made by machines: the loosest tolerance is left out there.
+    constexpr std::size_t large = 3000;
+    return {std::begin(tolerance_ladder), std::end(tolerance_ladder) - (elements > large ? 1 : 0)};
 }
 
 /// One description for each tolerance, in their order, on as many threads as there may be.
@@ -147,7 +151,7 @@ Overlaps with_faint_pairs(Overlaps overlaps) {
 Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
     const Overlaps overlaps;
     const Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene)};
-    return describe(drawing, no_rules(drawing), 0).grammar;
+    return describe(drawing, no_rules(drawing), 0).exact;
 }
 
 Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progress& progress) {
@@ -171,38 +175,39 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     report_out.seconds.similarity = watch.lap();
 
     // Rules, at several tolerances; the shortest description that proves right is kept.
-    Description flat = describe(drawing, no_rules(drawing), 0);
-    std::vector<Description> descriptions;
     SearchOptions search;
     search.weights = options.weights;
-    descriptions = describe_all(drawing, tolerances(options), search, options.threads, progress);
+    std::vector<Description> descriptions = describe_all(drawing, tolerances(options, scene.elements.size()), search, options.threads, progress);
     std::ranges::stable_sort(descriptions, {}, [](const Description& d) { return d.bits.grammar; });
-    std::erase_if(descriptions, [&](const Description& d) { return d.bits.grammar >= flat.bits.grammar; });
-    descriptions.push_back(std::move(flat));
+    std::erase_if(descriptions, [](const Description& d) { return d.bits.grammar >= d.bits.drawing; });
     report_out.seconds.rules = watch.lap();
 
-    // The proof, from the text that will be written.
-    for (Description& description : descriptions) {
-        report(progress, "check", 0);
-        analysis.grammar = parse_grammar(to_text(description.grammar));
+    // The proof, from the text that will be written. The flat list of all elements is the last resort.
+    for (std::size_t tried = 0;; ++tried) {
+        report(progress, "check", static_cast<double>(tried) / 4);
+        const bool last = tried == descriptions.size();
+        if (last) descriptions.push_back(describe(drawing, no_rules(drawing), 0));
+        const Description& description = descriptions[tried];
+        Grammar layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
+        analysis.grammar = parse_grammar(to_text(layered));
         if (!overlaps.faint.empty() && !same_picture(scene, analysis.grammar)) {
             // What hardly shows once shows when it comes by the hundred: these orders are kept as well.
             overlaps = with_faint_pairs(std::move(overlaps));
-            description.grammar =
-                with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
-            description.bits = description_bits(description.ordered, description.written, description.grammar, instancing,
-                                                description.deviation, drawing.diagonal);
-            analysis.grammar = parse_grammar(to_text(description.grammar));
+            layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
+            analysis.grammar = parse_grammar(to_text(layered));
         }
+        const DescriptionBits bits = bits_of(description, layered, drawing);
         report_out.check = verify(analysis.grammar, scene, overlaps);
-        if (!report_out.check.passed && &description != &descriptions.back()) {
-            report_out.warnings.push_back("a shorter grammar was dropped because it did not redraw the picture: " +
-                                          report_out.check.summary);
+        if (!last && (!report_out.check.passed || bits.grammar >= bits.drawing)) {
+            if (!report_out.check.passed) {
+                report_out.warnings.push_back("a shorter grammar was dropped because it did not redraw the picture: " +
+                                              report_out.check.summary);
+            }
             continue;
         }
         fill_report(report_out, description.ordered, description.written, analysis.grammar, instancing);
-        report_out.drawing_bits = description.bits.drawing;
-        report_out.grammar_bits = description.bits.grammar;
+        report_out.drawing_bits = bits.drawing;
+        report_out.grammar_bits = bits.grammar;
         report_out.tolerance = description.tolerance;
         break;
     }

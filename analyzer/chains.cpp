@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "analyzer/canonical_step.h"
 #include "lsystem/turtle_step.h"
@@ -64,7 +65,7 @@ void link(States& states, int from, const RuleSet& rules, const PoseGrid& grid, 
 Chain walk(States& states, int start, const RuleSet& rules, const Part& part, std::vector<char>& passed) {
     Chain chain;
     chain.gauge = states[start].gauge;
-    std::set<int> seen;
+    std::unordered_set<int> seen;
     for (int at = start; at >= 0 && !passed[static_cast<std::size_t>(at)]; at = states[at].next) {
         const States::State& state = states[at];
         if (!seen.insert(state.item).second) {
@@ -237,31 +238,51 @@ std::vector<LinearChain> linear_chains(const RuleSet& rules, const PoseGrid& gri
     return chains;
 }
 
+namespace {
+
+/// What decides between chains, computed once each.
+struct Precedence {
+    std::size_t length = 0;
+    bool closed = false, rising = false;
+    int gauge = 0, first = 0;
+    std::size_t index = 0;
+
+    bool before(const Precedence& other) const {
+        if (length != other.length) return length > other.length;
+        if (closed != other.closed) return closed;
+        if (rising != other.rising) return rising;
+        if (gauge != other.gauge) return gauge < other.gauge;
+        if (first != other.first) return first < other.first;
+        return index < other.index;
+    }
+};
+
+Precedence precedence_of(const RuleSet& rules, const Chain& chain, std::size_t index) {
+    int balance = 0;
+    for (std::size_t k = 0; k + 1 < chain.items.size(); ++k) {
+        balance += item_at(rules, chain.items[k]).first < item_at(rules, chain.items[k + 1]).first ? 1 : -1;
+    }
+    return {chain.items.size(), chain.closed, balance > 0, chain.gauge, item_at(rules, chain.items.front()).first, index};
+}
+
+}  // namespace
+
 std::vector<Chain> claimed(const RuleSet& rules, std::vector<Chain> chains) {
-    const auto rising = [&](const Chain& chain) {
-        int balance = 0;
-        for (std::size_t k = 0; k + 1 < chain.items.size(); ++k) {
-            balance += item_at(rules, chain.items[k]).first < item_at(rules, chain.items[k + 1]).first ? 1 : -1;
-        }
-        return balance > 0;
-    };
-    std::ranges::stable_sort(chains, [&](const Chain& a, const Chain& b) {
-        if (a.items.size() != b.items.size()) return a.items.size() > b.items.size();
-        if (a.closed != b.closed) return a.closed;
-        const bool rising_a = rising(a), rising_b = rising(b);
-        if (rising_a != rising_b) return rising_a;
-        if (a.gauge != b.gauge) return a.gauge < b.gauge;
-        return item_at(rules, a.items.front()).first < item_at(rules, b.items.front()).first;
-    });
-    const bool long_ones = !chains.empty() && chains.front().items.size() >= 4;
+    std::vector<Precedence> order;
+    order.reserve(chains.size());
+    for (std::size_t c = 0; c < chains.size(); ++c) order.push_back(precedence_of(rules, chains[c], c));
+    std::ranges::sort(order, [](const Precedence& a, const Precedence& b) { return a.before(b); });
+    const bool long_ones = !order.empty() && order.front().length >= 4;
     const std::size_t least = long_ones ? 3 : 2;
-    std::set<int> used;
+    std::vector<char> used(rules.items.size(), 0);
     std::vector<Chain> disjoint;
-    for (Chain& chain : chains) {
+    for (const Precedence& next : order) {
+        if (next.length < least) break;
+        Chain& chain = chains[next.index];
         // The longest run of free items.
         std::size_t best_begin = 0, best_length = 0, begin = 0;
         for (std::size_t k = 0; k <= chain.items.size(); ++k) {
-            if (k < chain.items.size() && !used.contains(chain.items[k])) continue;
+            if (k < chain.items.size() && !used[static_cast<std::size_t>(chain.items[k])]) continue;
             if (k - begin > best_length) {
                 best_length = k - begin;
                 best_begin = begin;
@@ -276,7 +297,7 @@ std::vector<Chain> claimed(const RuleSet& rules, std::vector<Chain> chains) {
             chain.frames = {chain.frames.begin() + from, chain.frames.begin() + to};
             chain.closed = false;
         }
-        used.insert(chain.items.begin(), chain.items.end());
+        for (const int item : chain.items) used[static_cast<std::size_t>(item)] = 1;
         disjoint.push_back(std::move(chain));
     }
     return disjoint;
