@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "analyzer/natural_pose.h"
+
 namespace rinceau {
 
 namespace {
@@ -65,7 +67,8 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
         const Part& part = rules.parts[p];
         if (part.look >= 0) {
-            anchors.of_part[p].linear = Complex{1, 0} / commonest[static_cast<std::size_t>(part.look)];
+            const Complex pose = commonest[static_cast<std::size_t>(part.look)];
+            anchors.of_part[p].linear = Complex{1, 0} / polar(abs(pose), natural_angle(arg(pose)));
         } else {
             anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
         }

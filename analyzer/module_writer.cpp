@@ -40,12 +40,18 @@ void append_turn(std::vector<ModuleTemplate>& modules, double angle, double slac
 
 namespace {
 
+constexpr std::size_t odd_angle = 4;  // an angle that is no multiple of 15 degrees reads like so many more digits
+
 /// What a reader has to take in: digits and signs of all arguments, and the commands.
 std::size_t reading_length(const std::vector<ModuleTemplate>& modules) {
     std::size_t length = 0;
     for (const ModuleTemplate& module : modules) {
         length += 2;
-        for (const Expression& argument : module.arguments) length += to_text(argument).size();
+        const bool turns = module.symbol == "+" || module.symbol == "-";
+        for (const Expression& argument : module.arguments) {
+            const double value = argument.postfix.front().number;
+            length += to_text(argument).size() + (turns && std::fmod(value, 15) != 0 ? odd_angle : 0);
+        }
     }
     return length;
 }

@@ -7,6 +7,7 @@
 
 #include "analyzer/anchors.h"
 #include "analyzer/module_writer.h"
+#include "analyzer/natural_pose.h"
 #include "analyzer/rule_comment.h"
 #include "analyzer/terminals.h"
 #include "lsystem/turtle_step.h"
@@ -14,6 +15,8 @@
 namespace rinceau {
 
 namespace {
+
+constexpr double natural_slack = 3;  // how many times the slack of a number a natural value may cost
 
 class Writer {
   public:
@@ -131,7 +134,8 @@ class Writer {
     void write_axiom() {
         for (const int root : roots_) {
             const Item& item = rules_.items[static_cast<std::size_t>(root)];
-            append_placed(written_.grammar.axiom, item.pose * anchor(item.part), item.part, 1, roots_.size() > 1);
+            const Similarity pose = natural_pose(rules_, root, anchor(item.part), natural_slack * slack_);
+            append_placed(written_.grammar.axiom, pose * anchor(item.part), item.part, 1, roots_.size() > 1);
         }
     }
 
