@@ -14,6 +14,8 @@
 #include "analyzer/paint_order.h"
 #include "analyzer/report.h"
 #include "analyzer/residuals.h"
+#include "analyzer/scene_rotation.h"
+#include "analyzer/sector_rules.h"
 #include "analyzer/to_grammar.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
@@ -110,9 +112,14 @@ std::vector<double> tolerances(const AnalyzeOptions& options, std::size_t elemen
 std::vector<Description> describe_all(const Drawing& drawing, const std::vector<double>& tolerances,
                                       const SearchOptions& search, int threads, const Progress& progress) {
     const auto describe_at = [&](double tolerance, const Progress& told) {
-        SearchState state = starting_state(drawing.instancing, {tolerance, tolerance, PoseTolerance{}.per_distance}, drawing.diagonal);
-        state = generate_rules(std::move(state), search, told);
-        return describe(drawing, std::move(state.rules), tolerance);
+        const SearchState start =
+            starting_state(drawing.instancing, {tolerance, tolerance, PoseTolerance{}.per_distance}, drawing.diagonal);
+        Description upward = describe(drawing, generate_rules(start, search, told).rules, tolerance);
+        // From the top: a rotation of the whole drawing, kept where it is shorter.
+        const auto rotation = find_scene_rotation(start);
+        if (!rotation) return upward;
+        Description downward = describe(drawing, generate_sector_rules(start, *rotation, search, told).rules, tolerance);
+        return downward.bits.grammar < upward.bits.grammar ? downward : upward;
     };
     const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     const auto together = static_cast<std::size_t>(threads > 0 ? threads : available);

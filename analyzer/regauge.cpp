@@ -5,9 +5,6 @@
 
 namespace rinceau {
 
-namespace {
-
-/// The pose of `item` in the gauge that is nearest to `wanted`.
 Similarity nearest_pose(const Part& part, const Similarity& pose, const Similarity& wanted) {
     if (part.symmetry.continuous) {
         const double scale = scale_of(pose) / scale_of(wanted);
@@ -26,6 +23,8 @@ Similarity nearest_pose(const Part& part, const Similarity& pose, const Similari
     }
     return best;
 }
+
+namespace {
 
 /// How far an item is from standing where `wanted` is: place, size, and angle up to its symmetry.
 double mismatch(const RuleSet& rules, int item, const Similarity& wanted) {

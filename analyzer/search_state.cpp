@@ -98,25 +98,26 @@ void add_item(SearchState& state, Item item) {
 }
 
 /// Copies of one look in one pose, lowest first.
-std::vector<std::vector<int>> coincident_copies(const SearchState& state, int p) {
-    const Part& part = state.part(p);
+std::vector<std::vector<int>> coincident_copies(SearchState& state, int p) {
     const std::vector<int>& items = state.alive(p);
     const PoseGrid grid(state.rules, p, items);
     // Much tighter than recognition: the same outline drawn twice.
     const PoseTolerance same_place{0.1 * state.tolerance.size, 0.1 * state.tolerance.angle, 0};
-    std::unordered_map<int, std::vector<int>> stacks;
-    std::vector<int> heads;
-    for (const int i : items) {
-        const auto match = grid.find(state.item(i).pose, 0, same_place);
-        const int head = match && match->item < i && part.look >= 0 ? match->item : i;
-        const auto [stack, fresh] = stacks.try_emplace(head);
-        if (fresh) heads.push_back(head);
-        stack->second.push_back(i);
-    }
     std::vector<std::vector<int>> copies;
-    for (const int head : heads) {
-        if (stacks[head].size() > 1) copies.push_back(stacks[head]);
+    const auto set_alive = [&](int item, bool alive) { state.rules.items[static_cast<std::size_t>(item)].alive = alive; };
+    for (const int i : items) {
+        if (!state.item(i).alive) continue;
+        // Each copy that is found steps aside for the next.
+        std::vector<int> stack{i};
+        set_alive(i, false);
+        while (const auto match = grid.find(state.item(i).pose, 0, same_place)) {
+            stack.push_back(match->item);
+            set_alive(match->item, false);
+        }
+        std::ranges::sort(stack);
+        if (stack.size() > 1) copies.push_back(std::move(stack));
     }
+    for (const int i : items) set_alive(i, true);
     return copies;
 }
 
