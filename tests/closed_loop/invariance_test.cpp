@@ -26,8 +26,8 @@ TEST_CASE("the same drawing gives the same bytes, on any number of threads") {
 
 TEST_CASE("the order of elements that do not overlap changes no rule") {
     Random random(1);
-    // In the first two the order can be seen.
-    for (const KnownScene& known : scenes_but({"scales", "facade_with_doors", "rings_of_circles"})) {
+    // In these two the order can be seen.
+    for (const KnownScene& known : scenes_but({"scales", "facade_with_doors"})) {
         INFO(known.name);
         CHECK(rules_in_words(analyze(shuffled(known.scene, random)).report) == rules_in_words(analyze(known.scene).report));
     }
@@ -41,7 +41,7 @@ TEST_CASE("moved, turned, scaled and mirrored, a drawing has the same rules") {
                                                                {"smaller", scale_by(0.0123)},
                                                                {"mirrored", mirror_about_heading()},
                                                                {"all", {polar(2.5, 1.1), {-300, 40}, true}}};
-    for (const KnownScene& known : scenes_but({"clutter_500", "grid_turning", "rings_of_leaves", "rings_of_circles"})) {
+    for (const KnownScene& known : scenes_but({"clutter_500", "grid_turning", "rings_of_circles", "mandala"})) {
         const std::string rules = rules_in_words(analyze(carried(known.scene, {})).report);
         for (const auto& [name, map] : maps) {
             INFO(known.name << " " << name);
