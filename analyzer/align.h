@@ -1,5 +1,6 @@
 #pragma once
-// Which rotation, or mirror image and rotation, lays one outline onto another, judged by their moments (ANALYZER section 2.2).
+// Which rotation, or mirror image and rotation, lays one outline onto another, judged by their moments (docs/analysis.md,
+// 1).
 
 #include <vector>
 
@@ -22,8 +23,6 @@ std::vector<Alignment> alignments(const Moments& from, const Moments& to, bool m
 /// Residual of one rotation, or mirror image and rotation.
 double alignment_residual(const Moments& from, const Moments& to, double angle, bool mirrored);
 
-inline Similarity to_similarity(const Alignment& alignment) {
-    return {polar(1, alignment.angle), {}, alignment.mirrored};
-}
+inline Similarity to_similarity(const Alignment& alignment) { return {polar(1, alignment.angle), {}, alignment.mirrored}; }
 
 }  // namespace rinceau

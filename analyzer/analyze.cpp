@@ -30,11 +30,11 @@ namespace {
 constexpr std::size_t most_elements = 5'000'000;
 
 // Shares of the diagonal. A picture 900 pixels wide has a diagonal of some 1100 pixels: the first is a tenth of a pixel.
-constexpr double exact_share = 8e-5;       // an element may miss its place by this before it gets an exception
-constexpr double digits_share = 1.5e-5;    // one number of the grammar may move what follows it by this
-constexpr double outline_share = 1e-4;     // copies may differ from their terminal by this
+constexpr double exact_share = 8e-5;     // an element may miss its place by this before it gets an exception
+constexpr double digits_share = 1.5e-5;  // one number of the grammar may move what follows it by this
+constexpr double outline_share = 1e-4;   // copies may differ from their terminal by this
 
-/// Tried in turn unless the user names one, in element sizes (ANALYZER section 16, lesson a).
+/// Tried in turn unless the user names one, in element sizes (docs/analysis.md, 9).
 constexpr double tolerance_ladder[] = {0.01, 0.003, 0.03};
 
 class Stopwatch {
@@ -184,7 +184,8 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     // Rules, at several tolerances; the shortest description that proves right is kept.
     SearchOptions search;
     search.weights = options.weights;
-    std::vector<Description> descriptions = describe_all(drawing, tolerances(options, scene.elements.size()), search, options.threads, progress);
+    std::vector<Description> descriptions =
+        describe_all(drawing, tolerances(options, scene.elements.size()), search, options.threads, progress);
     std::ranges::stable_sort(descriptions, {}, [](const Description& d) { return d.bits.grammar; });
     std::erase_if(descriptions, [](const Description& d) { return d.bits.grammar >= d.bits.drawing; });
     report_out.seconds.rules = watch.lap();

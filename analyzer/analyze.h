@@ -49,7 +49,7 @@ struct AnalysisReport {
     Verification check;
     double drawing_bits = 0;  ///< docs/analysis.md, "How a drawing and a grammar are measured"
     double grammar_bits = 0;
-    double tolerance = 0;     ///< the one that was kept
+    double tolerance = 0;  ///< the one that was kept
     std::vector<std::string> warnings;
     AnalysisSeconds seconds;
 };

@@ -1,6 +1,6 @@
 #pragma once
 // Where the turtle stands when a part's module is drawn. Parts are centred; productions begin at their first member
-// (Stava et al. 2010, r1) or, for rings, at the pivot (ANALYZER section 5).
+// (Stava et al. 2010, r1) or, for rings, at the pivot (docs/analysis.md, 7).
 
 #include <vector>
 

@@ -74,7 +74,8 @@ Chain walk(States& states, int start, const RuleSet& rules, const Part& part, st
         }
         passed[static_cast<std::size_t>(at)] = 1;
         chain.items.push_back(state.item);
-        chain.frames.push_back(item_at(rules, state.item).pose * part.symmetry.elements[static_cast<std::size_t>(state.gauge)]);
+        chain.frames.push_back(item_at(rules, state.item).pose *
+                               part.symmetry.elements[static_cast<std::size_t>(state.gauge)]);
         const int next = states[at].next;
         if (next >= 0 && states[next].item == chain.items.front() && chain.items.size() >= 3) chain.closed = true;
     }
@@ -139,9 +140,8 @@ Similarity heading_frame(const RuleSet& rules, int item, int target) {
 
 }  // namespace
 
-std::vector<Chain> directed_chains(const RuleSet& rules, const PoseGrid& grid,
-                                   std::span<const std::pair<int, int>> starts, const Similarity& step,
-                                   const PoseTolerance& tolerance) {
+std::vector<Chain> directed_chains(const RuleSet& rules, const PoseGrid& grid, std::span<const std::pair<int, int>> starts,
+                                   const Similarity& step, const PoseTolerance& tolerance) {
     using Edge = std::pair<int, int>;
     std::map<Edge, Edge> next_edge;
     std::map<Edge, Edge> previous_edge;

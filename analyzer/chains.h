@@ -1,5 +1,5 @@
 #pragma once
-// Chains of items that follow a step (Stava et al. 2010, section 5.3, "find the longest sequence"; ANALYZER section 4.3).
+// Chains of items that follow a step (Stava et al. 2010, section 5.3, "find the longest sequence"; docs/analysis.md, 4.2).
 // Because the step is fixed, "next" is a partial injection on (item, gauge), so the longest chains need no search.
 
 #include <span>
@@ -24,9 +24,8 @@ std::vector<Chain> sequence_chains(const RuleSet& rules, const PoseGrid& grid, s
 
 /// For a part without direction: its items take their heading (+y) along the step, which moves by `step.translation`
 /// = (0, d), turns and scales by step.linear. `starts` are pairs of items. Lengths >= 2.
-std::vector<Chain> directed_chains(const RuleSet& rules, const PoseGrid& grid,
-                                   std::span<const std::pair<int, int>> starts, const Similarity& step,
-                                   const PoseTolerance& tolerance);
+std::vector<Chain> directed_chains(const RuleSet& rules, const PoseGrid& grid, std::span<const std::pair<int, int>> starts,
+                                   const Similarity& step, const PoseTolerance& tolerance);
 
 /// Chains whose step's turn and spin grow by the rule's changes (eq. 4), each found from one of the start pairs; the
 /// first step of each may differ. Lengths >= 3.

@@ -33,7 +33,8 @@ class TreeBuilder {
                 string = occurrence.production;
                 number = placement.address[length++];
             } else {
-                const std::vector<int> replaced(placement.address.begin(), placement.address.begin() + static_cast<std::ptrdiff_t>(length));
+                const std::vector<int> replaced(placement.address.begin(),
+                                                placement.address.begin() + static_cast<std::ptrdiff_t>(length));
                 const int exception = exception_at_.at(replaced);
                 string = exception_string - exception;
                 if (symbols_in(exception) != 1) number = placement.address[length++];
@@ -62,7 +63,8 @@ class TreeBuilder {
     }
 
     int site_index(const ModuleSite& site) {
-        const auto [at, added] = site_indices_.try_emplace({site.string, site.position}, static_cast<int>(tree_.sites.size()));
+        const auto [at, added] =
+            site_indices_.try_emplace({site.string, site.position}, static_cast<int>(tree_.sites.size()));
         if (added) {
             tree_.sites.push_back(site);
             tree_.nodes_of_site.push_back(0);
@@ -74,7 +76,10 @@ class TreeBuilder {
         const auto [at, added] = children_.try_emplace({parent, site, number}, static_cast<int>(tree_.nodes.size()));
         if (added) {
             const DerivedModule& above = tree_.nodes[static_cast<std::size_t>(parent)];
-            const DerivedModule module{.parent = parent, .depth = above.depth + 1, .site = site, .path = path(above.path, site),
+            const DerivedModule module{.parent = parent,
+                                       .depth = above.depth + 1,
+                                       .site = site,
+                                       .path = path(above.path, site),
                                        .leaf = static_cast<int>(tree_.node_of_leaf.size()),
                                        .address_length = static_cast<int>(address_length)};
             tree_.nodes.push_back(module);

@@ -22,10 +22,10 @@ const std::vector<ModuleTemplate>& string_at(const Grammar& grammar, const Modul
 struct DerivedModule {
     int parent = -1;
     int depth = 0;
-    int site = -1;          ///< index into DerivationTree::sites; -1 for the root
-    int path = 0;           ///< node of the tree of sites, see DerivationTree::site_parent
-    int leaf = 0;           ///< the first leaf below
-    int address_length = 0; ///< of the leaf's address, that is this module's
+    int site = -1;           ///< index into DerivationTree::sites; -1 for the root
+    int path = 0;            ///< node of the tree of sites, see DerivationTree::site_parent
+    int leaf = 0;            ///< the first leaf below
+    int address_length = 0;  ///< of the leaf's address, that is this module's
 };
 
 /// Nodes come after their parents; node 0 is the root, above the axiom. Self-recursion of productions is left out.
@@ -33,9 +33,9 @@ struct DerivationTree {
     std::vector<DerivedModule> nodes{DerivedModule{}};
     std::vector<int> node_of_leaf;
     std::vector<ModuleSite> sites;
-    std::vector<int> nodes_of_site;          ///< how many nodes stand at the site
-    std::vector<int> site_parent{-1};        ///< the tree merged where sites agree: parent of a path,
-    std::vector<int> path_site{-1};          ///< and its last site
+    std::vector<int> nodes_of_site;    ///< how many nodes stand at the site
+    std::vector<int> site_parent{-1};  ///< the tree merged where sites agree: parent of a path,
+    std::vector<int> path_site{-1};    ///< and its last site
 };
 
 /// `leaves` in order of derivation, with addresses and trails.

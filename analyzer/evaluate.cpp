@@ -18,15 +18,15 @@ const PoseGrid& GridCache::of(int part) {
 namespace {
 
 constexpr double rule_head_bits = 9;
-constexpr double instance_bits = 6;          // the count m of one use of a sequence
-constexpr double linear_bits = 24;           // the two changes of a linear rule
-constexpr double directed_bits = 10;         // saying that the heading follows the step
-constexpr double closing_credit = 26;        // the last pair of groups joins even at this loss, so that the axiom is one symbol
+constexpr double instance_bits = 6;    // the count m of one use of a sequence
+constexpr double linear_bits = 24;     // the two changes of a linear rule
+constexpr double directed_bits = 10;   // saying that the heading follows the step
+constexpr double closing_credit = 26;  // the last pair of groups joins even at this loss, so that the axiom is one symbol
 constexpr std::size_t closing_groups = 3;
 constexpr double ambiguity_price = 0.75;
 constexpr double false_alarm_bits = -7;
 constexpr double link_hope = 1.5;  // links that a sequence may have for each vote of neighbours
-constexpr double link_slack = 2;  // votes are clustered at the tolerance, links accepted at twice that (hysteresis)
+constexpr double link_slack = 2;   // votes are clustered at the tolerance, links accepted at twice that (hysteresis)
 
 PoseTolerance link_tolerance(const SearchState& state) {
     return {link_slack * state.tolerance.size, link_slack * state.tolerance.angle, state.tolerance.per_distance};
@@ -146,7 +146,8 @@ std::vector<Chain> chains_of(const SearchState& state, GridCache& grids, const H
     if (hypothesis.directed) {
         return claimed(state.rules, directed_chains(state.rules, grid, hypothesis.votes, step, link_tolerance(state)));
     }
-    return claimed(state.rules, sequence_chains(state.rules, grid, sources_of(state, hypothesis), step, link_tolerance(state)));
+    return claimed(state.rules,
+                   sequence_chains(state.rules, grid, sources_of(state, hypothesis), step, link_tolerance(state)));
 }
 
 struct Tally {
@@ -197,8 +198,8 @@ double chance_of_link(const SearchState& state, const Hypothesis& hypothesis) {
 /// second as well where it sets the turn), each further one a coincidence, each further chain may begin anywhere.
 double log2_chance(const SearchState& state, const Hypothesis& hypothesis, double links, double chains) {
     const double given = hypothesis.directed && !hypothesis.pairs_only && hypothesis.kind != RuleKind::group ? 2
-                         : hypothesis.kind == RuleKind::linear                                           ? 2
-                                                                                                         : 1;
+                         : hypothesis.kind == RuleKind::linear                                               ? 2
+                                                                                                             : 1;
     const double beginnings = static_cast<double>(state.alive(hypothesis.from).size());
     return std::log2(std::max(1.0, hypothesis.votes_in_space)) +
            std::max(0.0, links - given) * std::log2(chance_of_link(state, hypothesis)) +
@@ -213,10 +214,10 @@ int known_rule(const SearchState& state, const Hypothesis& hypothesis, const Sim
     for (std::size_t r = 0; r < state.rules.rules.size(); ++r) {
         const Rule& rule = state.rules.rules[r];
         if (rule.kind != RuleKind::sequence || rule.repeated != hypothesis.from) continue;
-        const bool alike = rule.step.mirrored == step.mirrored &&
-                           abs(rule.step.translation - step.translation) <=
-                               state.tolerance.shift(1, abs(step.translation)) &&
-                           abs(rule.step.linear - step.linear) <= turn;
+        const bool alike =
+            rule.step.mirrored == step.mirrored &&
+            abs(rule.step.translation - step.translation) <= state.tolerance.shift(1, abs(step.translation)) &&
+            abs(rule.step.linear - step.linear) <= turn;
         if (alike) return static_cast<int>(r);
     }
     return -1;

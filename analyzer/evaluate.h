@@ -1,5 +1,5 @@
 #pragma once
-// What a hypothesis is worth on the drawing, in bits (ANALYZER section 4.4; stands in for the importance function (5) of
+// What a hypothesis is worth on the drawing, in bits (docs/analysis.md, 4.3; stands in for the importance function (5) of
 // Stava et al. 2010, whose four weights multiply its terms).
 
 #include <map>

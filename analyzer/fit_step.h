@@ -1,5 +1,5 @@
 #pragma once
-// The step of a rule from its chains: least squares over whole chains (ANALYZER section 4.8), then natural values where
+// The step of a rule from its chains: least squares over whole chains (docs/analysis.md, 4.5), then natural values where
 // they fit as well.
 
 #include <span>

@@ -95,7 +95,8 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
     for (const int root : ordered.roots) {
         const Item& item = ordered.rules.items[static_cast<std::size_t>(root)];
         const Part& part = ordered.rules.parts[static_cast<std::size_t>(item.part)];
-        bits.grammar += part.look >= 0 ? flat[static_cast<std::size_t>(part.look)] : group_pose_bits + std::log2(symbols) + 4;
+        bits.grammar +=
+            part.look >= 0 ? flat[static_cast<std::size_t>(part.look)] : group_pose_bits + std::log2(symbols) + 4;
     }
     for (const Production& production : final_grammar.productions) {
         bits.grammar += std::log2(symbols);

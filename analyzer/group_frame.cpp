@@ -61,16 +61,14 @@ struct Matcher {
         const SymmetryGroup& symmetry = part_of(child).symmetry;
         if (symmetry.continuous) return std::abs(abs(ratio) - 1) <= turn;
         const bool mirrored = child.pose.mirrored != pose.mirrored;
-        return std::ranges::any_of(symmetry.elements, [&](const Similarity& s) {
-            return s.mirrored == mirrored && abs(s.linear - ratio) <= turn;
-        });
+        return std::ranges::any_of(
+            symmetry.elements, [&](const Similarity& s) { return s.mirrored == mirrored && abs(s.linear - ratio) <= turn; });
     }
     bool maps_group_onto_itself(const Similarity& map) const {
         return std::ranges::all_of(group.children, [&](const Child& child) {
             const Similarity image = map * child.pose;
-            return std::ranges::any_of(group.children, [&](const Child& target) {
-                return target.part == child.part && same_pose(target, image);
-            });
+            return std::ranges::any_of(
+                group.children, [&](const Child& target) { return target.part == child.part && same_pose(target, image); });
         });
     }
 };
@@ -123,12 +121,13 @@ SymmetryGroup group_symmetry(const RuleSet& rules, const Part& group, double sti
         return symmetry;
     }
     for (const Child& target : group.children) {
-        const bool comparable = target.part == telling->part &&
-                                std::abs(abs(target.pose.translation) - abs(telling->pose.translation)) <=
-                                    still * scale_of(telling->pose);
+        const bool comparable =
+            target.part == telling->part &&
+            std::abs(abs(target.pose.translation) - abs(telling->pose.translation)) <= still * scale_of(telling->pose);
         if (!comparable) continue;
         for (const Similarity& map : candidate_maps(matcher, *telling, target)) {
-            const bool isometry = std::abs(scale_of(map) - 1) <= turn && abs(map.translation) <= still * scale_of(telling->pose);
+            const bool isometry =
+                std::abs(scale_of(map) - 1) <= turn && abs(map.translation) <= still * scale_of(telling->pose);
             if (isometry && matcher.maps_group_onto_itself({map.linear / abs(map.linear), {}, map.mirrored})) {
                 add_symmetry(symmetry, map, turn);
             }

@@ -3,7 +3,8 @@
 
 namespace rinceau {
 
-/// 0..4 each, 1 = neutral: they steer which structure is preferred, never whether a structure is worth a rule at all.
+/// 0..4 each, 1 = neutral: they steer which structure is preferred. Whatever they are, a rule must save bits at neutral
+/// weights to be accepted at all; with low weights rules that would save bits may stay away.
 struct ImportanceWeights {
     double count = 1;       ///< w_n: structures that repeat often
     double nearness = 1;    ///< w_h: near elements first

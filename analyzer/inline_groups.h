@@ -1,5 +1,5 @@
 #pragma once
-// Groups of groups that are used in one place only become one group of many (ANALYZER section 5, "inline tuples").
+// Groups of groups that are used in one place only become one group of many (docs/analysis.md, 5).
 
 #include "analyzer/rule_model.h"
 

@@ -17,12 +17,12 @@ struct SymmetryGroup {
 
 /// A shape in a style: what one terminal symbol stands for. Two looks may share a shape.
 struct Look {
-    int shape = 0;   ///< equal for looks of equal outline
-    int style = 0;   ///< equal for looks of equal style in their own frame
-    SymmetryGroup symmetry;    ///< of shape and style together
-    std::vector<Path> paths;   ///< unit frame: centroid of the outline at the origin, rms radius 1 (see unit_radius)
-    Style unit_style;          ///< in the unit frame; lengths of a fixed stroke in the scene
-    std::string verbatim;      ///< not empty: kept as it is; never part of a rule
+    int shape = 0;            ///< equal for looks of equal outline
+    int style = 0;            ///< equal for looks of equal style in their own frame
+    SymmetryGroup symmetry;   ///< of shape and style together
+    std::vector<Path> paths;  ///< unit frame: centroid of the outline at the origin, rms radius 1 (see unit_radius)
+    Style unit_style;         ///< in the unit frame; lengths of a fixed stroke in the scene
+    std::string verbatim;     ///< not empty: kept as it is; never part of a rule
 };
 
 /// One element of the scene, seen as a copy of a look.
@@ -40,8 +40,8 @@ struct Instancing {
 };
 
 struct SimilarityOptions {
-    /// Largest distance of two outlines that count as equal, in rms radii. (Exact copies with rounded coordinates and hand-made near-copies pass 0.01;
-    /// tolerance_of_diagonal keeps what is drawn within a tenth of a pixel.)
+    /// Largest distance of two outlines that count as equal, in rms radii. (Exact copies with rounded coordinates and
+    /// hand-made near-copies pass 0.01; tolerance_of_diagonal keeps what is drawn within a tenth of a pixel.)
     double tolerance = 0.01;
     /// ... and in scene lengths, as a share of the drawing's diagonal, so that large elements are drawn to the pixel.
     double tolerance_of_diagonal = 2e-4;

@@ -75,7 +75,8 @@ class Attempt {
     std::size_t least_unmet() const {
         std::size_t least = demands_.size();
         for (std::size_t i = 0; i < demands_.size(); ++i) {
-            if (active_[i] && deficit(i) > 0 && (least == demands_.size() || demands_[i].pairs < demands_[least].pairs)) least = i;
+            if (active_[i] && deficit(i) > 0 && (least == demands_.size() || demands_[i].pairs < demands_[least].pairs))
+                least = i;
         }
         return least;
     }
@@ -131,8 +132,8 @@ int layer_of(const LayerHierarchy& hierarchy, const std::vector<int>& values, in
     return sum;
 }
 
-LayerSolution meet_demands(const LayerHierarchy& hierarchy, const std::vector<LayerDemand>& demands, LayerDirection direction,
-                           bool give_up) {
+LayerSolution meet_demands(const LayerHierarchy& hierarchy, const std::vector<LayerDemand>& demands,
+                           LayerDirection direction, bool give_up) {
     Attempt attempt(hierarchy, demands, direction);
     if (give_up) give_up_mutual(attempt, demands);
     std::size_t work = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Layers on a hierarchy: which nodes to raise so that one leaf comes to lie above another (ANALYZER section 9, step 3).
+// Layers on a hierarchy: which nodes to raise so that one leaf comes to lie above another (docs/analysis.md, 8).
 
 #include <vector>
 
@@ -34,7 +34,7 @@ int layer_of(const LayerHierarchy& hierarchy, const std::vector<int>& values, in
 /// Meets the demands by raising the upper or lowering the lower of two nodes where their ways from the root part. Demands
 /// that contradict others are given up, those of the fewest pairs first; work is bounded. Demands sorted by paint order of
 /// their upper elements are met soonest. `give_up` = false: returns after a few sweeps with what is reached.
-LayerSolution meet_demands(const LayerHierarchy& hierarchy, const std::vector<LayerDemand>& demands, LayerDirection direction,
-                           bool give_up);
+LayerSolution meet_demands(const LayerHierarchy& hierarchy, const std::vector<LayerDemand>& demands,
+                           LayerDirection direction, bool give_up);
 
 }  // namespace rinceau

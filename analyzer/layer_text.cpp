@@ -13,9 +13,7 @@ namespace {
 
 constexpr std::string_view layer_symbol = "z";
 
-ModuleTemplate layer_command(int by) {
-    return {.symbol = std::string(layer_symbol), .arguments = {number_expression(by)}};
-}
+ModuleTemplate layer_command(int by) { return {.symbol = std::string(layer_symbol), .arguments = {number_expression(by)}}; }
 
 /// The number of a z command whose argument is plain.
 std::optional<int> plain_layer(const ModuleTemplate& module) {
@@ -68,14 +66,16 @@ std::vector<ModuleTemplate>& mutable_string(Grammar& grammar, int string) {
 
 }  // namespace
 
-Grammar with_layers(const Grammar& grammar, const std::vector<SiteLayer>& sites, const std::vector<AddressLayer>& exceptions) {
+Grammar with_layers(const Grammar& grammar, const std::vector<SiteLayer>& sites,
+                    const std::vector<AddressLayer>& exceptions) {
     Grammar layered = grammar;
     std::vector<SiteLayer> ordered = sites;
     std::sort(ordered.begin(), ordered.end(), [](const SiteLayer& a, const SiteLayer& b) {
         return a.site.string != b.site.string ? a.site.string < b.site.string : a.site.position < b.site.position;
     });
     for (auto first = ordered.begin(); first != ordered.end();) {
-        const auto end = std::find_if(first, ordered.end(), [&](const SiteLayer& s) { return s.site.string != first->site.string; });
+        const auto end =
+            std::find_if(first, ordered.end(), [&](const SiteLayer& s) { return s.site.string != first->site.string; });
         mutable_string(layered, first->site.string) = raised(string_at(grammar, first->site), {first, end});
         first = end;
     }
@@ -83,7 +83,8 @@ Grammar with_layers(const Grammar& grammar, const std::vector<SiteLayer>& sites,
         const std::vector<ModuleTemplate>& string = string_at(grammar, layer.site);
         const auto position = static_cast<std::size_t>(layer.site.position);
         Exception exception{.address = layer.address};
-        append_raised(exception.successor, string[position], layer.by, layer_must_end(string, position, layer.site.string == -1));
+        append_raised(exception.successor, string[position], layer.by,
+                      layer_must_end(string, position, layer.site.string == -1));
         layered.exceptions.push_back(std::move(exception));
     }
     return layered;

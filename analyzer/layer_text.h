@@ -23,6 +23,7 @@ struct AddressLayer {
 
 /// z(k) directly before the module; behind it z(-k), unless its bracket ends before anything else is drawn. The turtle goes
 /// where it went before, and every module keeps its address.
-Grammar with_layers(const Grammar& grammar, const std::vector<SiteLayer>& sites, const std::vector<AddressLayer>& exceptions);
+Grammar with_layers(const Grammar& grammar, const std::vector<SiteLayer>& sites,
+                    const std::vector<AddressLayer>& exceptions);
 
 }  // namespace rinceau

@@ -57,8 +57,13 @@ std::vector<Box> outline_boxes(const Scene& scene) {
 class Matcher {
   public:
     Matcher(const Scene& scene, const Scene& drawn, double tolerance)
-        : scene_(scene), drawn_(drawn), tolerance_(tolerance), reach_(reach_in_tolerances * tolerance),
-          scene_boxes_(outline_boxes(scene)), drawn_boxes_(outline_boxes(drawn)), taken_(drawn.elements.size(), false),
+        : scene_(scene),
+          drawn_(drawn),
+          tolerance_(tolerance),
+          reach_(reach_in_tolerances * tolerance),
+          scene_boxes_(outline_boxes(scene)),
+          drawn_boxes_(outline_boxes(drawn)),
+          taken_(drawn.elements.size(), false),
           matches_(scene.elements.size()) {}
 
     std::vector<DrawnMatch> run() {
@@ -149,9 +154,11 @@ class Matcher {
     double deviation(std::size_t element, std::size_t drawn) const {
         const Element& a = scene_.elements[element];
         const Element& b = drawn_.elements[drawn];
-        const double found = outline_deviation(a.paths, b.paths, {reach_, accuracy_in_tolerances * tolerance_, tolerance_ / 4});
+        const double found =
+            outline_deviation(a.paths, b.paths, {reach_, accuracy_in_tolerances * tolerance_, tolerance_ / 4});
         const bool winding_counts = paints_fill(a.style) && a.style.fill_rule == FillRule::nonzero;
-        return found < reach_ && winding_counts && !wind_alike(a.paths, b.paths, std::max(found, tolerance_ / 4)) ? reach_ : found;
+        return found < reach_ && winding_counts && !wind_alike(a.paths, b.paths, std::max(found, tolerance_ / 4)) ? reach_
+                                                                                                                  : found;
     }
 
     bool style_agrees(std::size_t element, std::size_t drawn) const {

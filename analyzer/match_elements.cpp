@@ -71,7 +71,8 @@ class MovedCopies {
 };
 
 /// Largest deviation of a copy in its own unit frame.
-double allowed_deviation(double rms_radius, double diagonal, const SimilarityOptions& options, double share_of_diagonal = 1) {
+double allowed_deviation(double rms_radius, double diagonal, const SimilarityOptions& options,
+                         double share_of_diagonal = 1) {
     const double of_diagonal = share_of_diagonal * options.tolerance_of_diagonal * diagonal / rms_radius;
     return diagonal > 0 ? std::min(options.tolerance, of_diagonal) : options.tolerance;
 }
@@ -82,7 +83,10 @@ double dot_unit(const Style& style) { return paints_stroke(style) ? style.stroke
 class ElementMatcher {
   public:
     ElementMatcher(const Scene& scene, const SimilarityOptions& options)
-        : scene_(scene), options_(options), diagonal_(drawing_diagonal(scene)), first_copy_(scene.elements.size(), -1),
+        : scene_(scene),
+          options_(options),
+          diagonal_(drawing_diagonal(scene)),
+          first_copy_(scene.elements.size(), -1),
           item_of_(scene.elements.size(), -1) {
         matching_.matches.resize(scene.elements.size());
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Classes of elements of equal outline, each with a representative (Stava et al. 2010, section 4.1; ANALYZER section 2.2).
+// Classes of elements of equal outline, each with a representative (Stava et al. 2010, section 4.1; docs/analysis.md, 1).
 // The paper compares curvatures at samples; moments and a geometric check take their place: linear time, no threshold to
 // tune, exact poses.
 

@@ -21,7 +21,9 @@ constexpr double same_length = 1e-6;
 /// A tenth of a pixel in a picture 900 pixels wide and high, as a share of the diagonal: no width differs by more unseen.
 constexpr double smallest_seen = 7.8e-5;
 
-bool same_share(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)); }
+bool same_share(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
 
 /// With strokes of equal lengths.
 bool same_unit_style(const Style& a, const Style& b) {
@@ -29,10 +31,9 @@ bool same_unit_style(const Style& a, const Style& b) {
 }
 
 bool same_lengths(const Style& a, const Style& b) {
-    return !paints_stroke(a) ||
-           (same_share(a.stroke.width, b.stroke.width, same_length) &&
-            std::ranges::equal(a.stroke.dashes, b.stroke.dashes,
-                               [](double s, double t) { return same_share(s, t, same_length); }));
+    return !paints_stroke(a) || (same_share(a.stroke.width, b.stroke.width, same_length) &&
+                                 std::ranges::equal(a.stroke.dashes, b.stroke.dashes,
+                                                    [](double s, double t) { return same_share(s, t, same_length); }));
 }
 
 using Hash = std::uint64_t;

@@ -1,5 +1,5 @@
 #pragma once
-// Looks: shapes in the styles that they are painted in, compared in the unit frame (ANALYZER sections 2 and 3.1).
+// Looks: shapes in the styles that they are painted in, compared in the unit frame (docs/analysis.md, 2).
 
 #include <vector>
 

@@ -46,9 +46,7 @@ class Metric {
     std::array<double, 4> widths_;
 };
 
-double squared_length(const Place& p) {
-    return std::inner_product(p.begin(), p.end(), p.begin(), 0.0);
-}
+double squared_length(const Place& p) { return std::inner_product(p.begin(), p.end(), p.begin(), 0.0); }
 
 /// Places in bins of a sixteenth of a bandwidth, one standing for all in it: periodic drawings have thousands in one place.
 struct Bins {
@@ -63,7 +61,8 @@ Bins binned(const std::vector<Place>& places) {
     std::vector<std::array<std::int64_t, 4>> cells;
     for (const Place& place : places) {
         std::array<std::int64_t, 4> cell;
-        for (std::size_t k = 0; k < cell.size(); ++k) cell[k] = static_cast<std::int64_t>(std::floor(per_bandwidth * place[k]));
+        for (std::size_t k = 0; k < cell.size(); ++k)
+            cell[k] = static_cast<std::int64_t>(std::floor(per_bandwidth * place[k]));
         cells.push_back(cell);
         number.emplace(cell, 0);
     }
@@ -99,7 +98,8 @@ class PlaceGrid {
             for (int b = -1; b <= 1; ++b)
                 for (int c = -1; c <= 1; ++c)
                     for (int e = -1; e <= 1; ++e)
-                        codes[count++] = code({around(middle[0] + a, 0), middle[1] + b, middle[2] + c, around(middle[3] + e, 3)});
+                        codes[count++] =
+                            code({around(middle[0] + a, 0), middle[1] + b, middle[2] + c, around(middle[3] + e, 3)});
         std::sort(codes.begin(), codes.end());
         const auto last = std::unique(codes.begin(), codes.end());
         for (auto cell = codes.begin(); cell != last; ++cell) {

@@ -29,8 +29,9 @@ struct TransformationClusters {
 
 /// Every point climbs to a mode of the density under the Epanechnikov kernel (the shadow of the flat kernel: its mean shift
 /// goes to the mean of the points within the bandwidth), the points themselves staying where they are; modes nearer than
-/// half a bandwidth are one. Points within a sixteenth of a bandwidth count as one of their weight. Mirrored and unmirrored points do not mix. The partition does not depend on the order of
-/// the points.
-TransformationClusters mean_shift(const std::vector<TransformationPoint>& points, const MeanShiftBandwidths& bandwidths = {});
+/// half a bandwidth are one. Points within a sixteenth of a bandwidth count as one of their weight. Mirrored and unmirrored
+/// points do not mix. The partition does not depend on the order of the points.
+TransformationClusters mean_shift(const std::vector<TransformationPoint>& points,
+                                  const MeanShiftBandwidths& bandwidths = {});
 
 }  // namespace rinceau

@@ -14,7 +14,8 @@ double tidy(double value, double slack) {
     constexpr int most_digits = 17;
     for (int digits = 1; digits < most_digits; ++digits) {
         std::array<char, 64> text{};
-        const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
+        const auto end =
+            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
         double rounded = value;
         std::from_chars(text.data(), end.ptr, rounded);
         if (std::abs(rounded - value) <= slack) return rounded;

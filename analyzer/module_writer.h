@@ -1,5 +1,5 @@
 #pragma once
-// Turtle commands for a similarity, with as few digits as the drawing allows (ANALYZER section 5).
+// Turtle commands for a similarity, with as few digits as the drawing allows (docs/analysis.md, 7).
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// Moments of the arc-length measure of an outline (ANALYZER section 2.1). They know nothing of nodes, start points,
+// Moments of the arc-length measure of an outline (docs/analysis.md, 1). They know nothing of nodes, start points,
 // directions and sub-paths; a rotation by t multiplies moment k by exp(ikt), a mirror image conjugates, and all else
 // leaves them alone.
 

@@ -29,7 +29,8 @@ void collect_leaves(const RuleSet& rules, int item, const Similarity& derived, s
 
 double deviation(const Leaf& leaf, const Similarity& root) {
     const Similarity placed = root * leaf.derived;
-    const double turn = leaf.continuous ? std::abs(scale_of(placed) - scale_of(leaf.drawn)) : abs(placed.linear - leaf.drawn.linear);
+    const double turn =
+        leaf.continuous ? std::abs(scale_of(placed) - scale_of(leaf.drawn)) : abs(placed.linear - leaf.drawn.linear);
     return abs(placed.translation - leaf.drawn.translation) + outline_reach * turn;
 }
 
@@ -63,7 +64,8 @@ Similarity natural_pose(const RuleSet& rules, int root, const Similarity& anchor
     const double scale = abs(turtle), angle = arg(turtle);
     const double even = std::abs(scale - 1) <= near_scale ? 1 : scale;
     // Both natural, else one of them.
-    for (const auto& [s, a] : {std::pair{even, natural_angle(angle)}, std::pair{even, angle}, std::pair{scale, natural_angle(angle)}}) {
+    for (const auto& [s, a] :
+         {std::pair{even, natural_angle(angle)}, std::pair{even, angle}, std::pair{scale, natural_angle(angle)}}) {
         Similarity candidate = pose;
         candidate.linear = pose.linear * (polar(s, a) / turtle);
         candidate = placed_best(candidate, leaves);

@@ -8,7 +8,6 @@
 
 #include "analyzer/regauge.h"
 
-
 namespace rinceau {
 
 namespace {

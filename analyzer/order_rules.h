@@ -1,6 +1,6 @@
 #pragma once
 // Directions and orders inside rules that paint as the drawing does where elements overlap, and read in drawing order
-// elsewhere (ANALYZER section 9, steps 1 and 2). What remains wrong is left to layers (paint_order.h).
+// elsewhere (docs/analysis.md, 6). What remains wrong is left to layers (paint_order.h).
 
 #include <vector>
 

@@ -8,9 +8,9 @@ void add_piece(Outline& outline, Point from, const Segment& segment) {
     const Point origin = outline.origin;
     OutlinePiece piece;
     piece.straight = segment.straight;
-    piece.curve = segment.straight
-                      ? CubicBezier{from - origin, from - origin, segment.to - origin, segment.to - origin}
-                      : CubicBezier{from - origin, segment.control1 - origin, segment.control2 - origin, segment.to - origin};
+    piece.curve = segment.straight ? CubicBezier{from - origin, from - origin, segment.to - origin, segment.to - origin}
+                                   : CubicBezier{from - origin, segment.control1 - origin, segment.control2 - origin,
+                                                 segment.to - origin};
     const bool has_length = piece.curve.from != piece.curve.to || piece.curve.control1 != piece.curve.from ||
                             piece.curve.control2 != piece.curve.from;
     if (has_length) outline.pieces.push_back(piece);

@@ -10,13 +10,13 @@
 namespace rinceau {
 
 struct OutlinePiece {
-    CubicBezier curve;     ///< a straight piece has its control points on its ends
+    CubicBezier curve;  ///< a straight piece has its control points on its ends
     bool straight = true;
 };
 
 /// Curves about an origin near them, so that no digits are lost where coordinates are large.
 struct Outline {
-    Point origin;  ///< scene space; pieces are relative to it
+    Point origin;                      ///< scene space; pieces are relative to it
     std::vector<OutlinePiece> pieces;  ///< in drawing order, none of length 0
 };
 

@@ -95,7 +95,8 @@ class Classifier {
     void cluster(const Progress& progress) {
         for (std::size_t i = 0; i < items_.size(); ++i) {
             constexpr std::size_t report_every = 1024;
-            if (i % report_every == 0) report(progress, "similarity", static_cast<double>(i) / static_cast<double>(items_.size()));
+            if (i % report_every == 0)
+                report(progress, "similarity", static_cast<double>(i) / static_cast<double>(items_.size()));
             Candidate item(items_[i]);
             if (!join(item, static_cast<int>(i))) lead(static_cast<int>(i));
         }
@@ -113,7 +114,8 @@ class Classifier {
             std::vector<int> kept;
             for (const int m : groups_[static_cast<std::size_t>(small)].members) {
                 Candidate item(items_[static_cast<std::size_t>(m)]);
-                if (!join(item, m, [&](int g) { return g != small && size_of(g) >= times_larger * size; })) kept.push_back(m);
+                if (!join(item, m, [&](int g) { return g != small && size_of(g) >= times_larger * size; }))
+                    kept.push_back(m);
             }
             regroup(small, kept);
         }

@@ -37,8 +37,8 @@ struct OutlineClasses {
 };
 
 struct OutlineClassOptions {
-    double key_cell = 0.02;           ///< largest difference of invariant keys that is looked at
-    double moment_residual = 0.008;   ///< largest residual of an alignment that is looked at
+    double key_cell = 0.02;          ///< largest difference of invariant keys that is looked at
+    double moment_residual = 0.008;  ///< largest residual of an alignment that is looked at
     bool mirrored_copies = true;
 };
 

@@ -13,8 +13,8 @@ struct DeviationOptions {
     double small = 0;        ///< an upper bound of the deviation will do if it is below this
 };
 
-/// The largest distance of a point of either outline from the other one, at most `reach`. Points are tried at the ends of all
-/// segments and at seven places within each, so that a moved node or handle shows.
+/// The largest distance of a point of either outline from the other one, at most `reach`. Points are tried at the ends of
+/// all segments and at seven places within each, so that a moved node or handle shows.
 double outline_deviation(const std::vector<Path>& a, const std::vector<Path>& b, const DeviationOptions& options);
 
 /// Do outlines that deviate by `deviation` only wind alike, so that the non-zero rule fills the same? (The sum of the areas

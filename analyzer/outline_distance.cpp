@@ -158,7 +158,8 @@ Similarity refining_step(const FineOutline& a, const Similarity& map, const Fine
         const Point along = speed > 0 ? foot.direction / speed : Point{1, 0};
         const Point gap = foot.at - p;
         const double weight = abs(edge.to - edge.from) + abs(before.to - before.from);
-        for (const auto& [axis, w] : {std::pair{Point{-along.y, along.x}, weight}, std::pair{along, along_weight * weight}}) {
+        for (const auto& [axis, w] :
+             {std::pair{Point{-along.y, along.x}, weight}, std::pair{along, along_weight * weight}}) {
             const Eigen::Vector4d row(dot(axis, p), dot(axis, {-p.y, p.x}), axis.x, axis.y);
             normal += w * row * row.transpose();
             right += w * dot(axis, gap) * row;

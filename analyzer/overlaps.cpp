@@ -31,7 +31,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr Box everywhere{{-unbounded, -unbounded}, {unbounded, unbounded}};
 
 bool paints(const Element& element) {
-    return !element.verbatim.empty() || (!element.paths.empty() && (paints_fill(element.style) || paints_stroke(element.style)));
+    return !element.verbatim.empty() ||
+           (!element.paths.empty() && (paints_fill(element.style) || paints_stroke(element.style)));
 }
 
 /// The colour that is all an element paints.
@@ -94,7 +95,10 @@ std::vector<bool> shared_numbers(const std::vector<int>& classes) {
 
 Search start_search(const Scene& scene, const OverlapOptions& options) {
     const double pixel = picture_pixel(scene, options.picture_width);
-    Search search{.scene = scene, .quantum = quantum_in_pixels * pixel, .antialiasing = options.antialiasing, .samples_left = options.max_samples};
+    Search search{.scene = scene,
+                  .quantum = quantum_in_pixels * pixel,
+                  .antialiasing = options.antialiasing,
+                  .samples_left = options.max_samples};
     search.classes = translation_classes(scene, search.quantum);
     search.has_copies = shared_numbers(search.classes);
     search.painted.resize(scene.elements.size());
@@ -113,13 +117,15 @@ bool order_hidden(const Search& search, std::size_t i, std::size_t j) {
 }
 
 const PaintedElement& painted(Search& search, std::size_t i) {
-    if (!search.painted[i]) search.painted[i] = painted_element(search.scene.elements[i], sampling_deviation(search.pixels[i]));
+    if (!search.painted[i])
+        search.painted[i] = painted_element(search.scene.elements[i], sampling_deviation(search.pixels[i]));
     return *search.painted[i];
 }
 
 PairCase case_of(const Search& search, std::size_t i, std::size_t j) {
     const Point offset = search.scene.elements[j].paths.front().start - search.scene.elements[i].paths.front().start;
-    return {search.classes[i], search.classes[j], std::llround(offset.x / search.quantum), std::llround(offset.y / search.quantum)};
+    return {search.classes[i], search.classes[j], std::llround(offset.x / search.quantum),
+            std::llround(offset.y / search.quantum)};
 }
 
 double pixel_of(const Search& search, std::size_t i, std::size_t j) { return std::min(search.pixels[i], search.pixels[j]); }
@@ -164,7 +170,8 @@ std::optional<std::vector<OverlapPair>> meeting_boxes(const Search& search, std:
         if (!(bounded[i] == everywhere)) continue;
         bounded[i] = Box{};
         for (std::size_t j = 0; j < bounded.size(); ++j) {
-            if (j != i && !is_empty(search.boxes[j]) && (j < i || !(search.boxes[j] == everywhere))) pairs.push_back(pair_of(i, j));
+            if (j != i && !is_empty(search.boxes[j]) && (j < i || !(search.boxes[j] == everywhere)))
+                pairs.push_back(pair_of(i, j));
         }
         if (pairs.size() > limit) return std::nullopt;
     }
@@ -211,7 +218,8 @@ Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options) {
         candidates = meeting_boxes_within(search, std::max<std::size_t>(1, limit / scene.elements.size()));
     }
     for (const OverlapPair& pair : candidates) {
-        const OrderMatters matters = order_matters(search, static_cast<std::size_t>(pair.lower), static_cast<std::size_t>(pair.upper));
+        const OrderMatters matters =
+            order_matters(search, static_cast<std::size_t>(pair.lower), static_cast<std::size_t>(pair.upper));
         if (matters == OrderMatters::visibly) found.pairs.push_back(pair);
         if (matters == OrderMatters::faintly) found.faint.push_back(pair);
     }

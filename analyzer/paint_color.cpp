@@ -70,7 +70,8 @@ Ink paint_at(const PaintSampler& sampler, Point p) {
     if (sampler.gradient == nullptr) return sampler.solid;
     const Gradient& gradient = *sampler.gradient;
     const Point unit = apply(sampler.to_unit, p);
-    const std::optional<double> t = gradient.kind == GradientKind::linear ? std::optional(unit.x) : radial_parameter(gradient, unit);
+    const std::optional<double> t =
+        gradient.kind == GradientKind::linear ? std::optional(unit.x) : radial_parameter(gradient, unit);
     return t ? sampler.opacity * color_at_offset(gradient, spread_offset(gradient.spread, *t)) : Ink{};
 }
 

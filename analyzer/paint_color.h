@@ -14,7 +14,9 @@ struct Ink {
     friend constexpr bool operator==(const Ink&, const Ink&) = default;
 };
 
-constexpr Ink operator+(const Ink& a, const Ink& b) { return {a.red + b.red, a.green + b.green, a.blue + b.blue, a.alpha + b.alpha}; }
+constexpr Ink operator+(const Ink& a, const Ink& b) {
+    return {a.red + b.red, a.green + b.green, a.blue + b.blue, a.alpha + b.alpha};
+}
 constexpr Ink operator*(double k, const Ink& a) { return {k * a.red, k * a.green, k * a.blue, k * a.alpha}; }
 
 /// `upper` painted on `lower` (source over).

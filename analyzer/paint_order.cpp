@@ -1,4 +1,4 @@
-// ANALYZER section 9, steps 3 and 4. Layers on the modules of the grammar's text first, for all their copies at once; then
+// docs/analysis.md, 8. Layers on the modules of the grammar's text first, for all their copies at once; then
 // exceptions for single modules of the derivation; last, where groups interleave, for single leaves, which always works.
 
 #include "analyzer/paint_order.h"
@@ -25,9 +25,9 @@ struct LeafPair {
 /// Everything that stays the same while layers are tried.
 struct Problem {
     const Grammar& grammar;
-    std::vector<Placement> leaves;  ///< in order of derivation
-    std::vector<LeafPair> pairs;    ///< sorted by paint order of `upper` in the drawing
-    std::vector<LeafPair> from_top; ///< the same sorted by falling paint order of `lower`
+    std::vector<Placement> leaves;   ///< in order of derivation
+    std::vector<LeafPair> pairs;     ///< sorted by paint order of `upper` in the drawing
+    std::vector<LeafPair> from_top;  ///< the same sorted by falling paint order of `lower`
     DerivationTree tree;
     LayerHierarchy sites;    ///< of the paths of the tree, a variable for each site
     LayerHierarchy modules;  ///< of the nodes of the tree, a variable for each node
@@ -79,7 +79,8 @@ bool uses_constants_only(const Grammar& grammar, const ModuleSite& site) {
     return true;
 }
 
-/// Could an exception raise the module alone? Not where one stands already, nor where its arguments would lose their meaning.
+/// Could an exception raise the module alone? Not where one stands already, nor where its arguments would lose their
+/// meaning.
 std::vector<bool> exceptable(const Grammar& grammar, const DerivationTree& tree) {
     std::vector<bool> can(tree.nodes.size(), false);
     for (std::size_t n = 1; n < tree.nodes.size(); ++n) {
@@ -94,9 +95,11 @@ std::vector<bool> exceptable(const Grammar& grammar, const DerivationTree& tree)
 }
 
 LayerHierarchy site_hierarchy(const DerivationTree& tree) {
-    LayerHierarchy hierarchy{.parent = tree.site_parent, .variable = tree.path_site, .variables = static_cast<int>(tree.sites.size())};
+    LayerHierarchy hierarchy{
+        .parent = tree.site_parent, .variable = tree.path_site, .variables = static_cast<int>(tree.sites.size())};
     hierarchy.depth.assign(tree.site_parent.size(), 0);
-    for (std::size_t i = 1; i < tree.site_parent.size(); ++i) hierarchy.depth[i] = at(hierarchy.depth, tree.site_parent[i]) + 1;
+    for (std::size_t i = 1; i < tree.site_parent.size(); ++i)
+        hierarchy.depth[i] = at(hierarchy.depth, tree.site_parent[i]) + 1;
     return hierarchy;
 }
 
@@ -113,7 +116,8 @@ LayerHierarchy module_hierarchy(const Grammar& grammar, const DerivationTree& tr
 
 Problem state_problem(const Grammar& grammar, const std::vector<int>& element_of_leaf, const Overlaps& overlaps) {
     Problem problem{.grammar = grammar, .leaves = interpret(grammar, {.addresses = true, .trails = true})};
-    std::sort(problem.leaves.begin(), problem.leaves.end(), [](const Placement& a, const Placement& b) { return a.order < b.order; });
+    std::sort(problem.leaves.begin(), problem.leaves.end(),
+              [](const Placement& a, const Placement& b) { return a.order < b.order; });
     assert(problem.leaves.size() == element_of_leaf.size());
     problem.pairs = leaf_pairs(element_of_leaf, overlaps);
     problem.from_top = problem.pairs;
@@ -179,7 +183,8 @@ void settle_leaves(const Problem& problem, LayerDirection direction, Plan& plan)
     if (direction == LayerDirection::raise) {
         for (const LeafPair& p : problem.pairs) layer(p.upper) = std::max(layer(p.upper), layer(p.lower) + step_needed(p));
     } else {
-        for (const LeafPair& p : problem.from_top) layer(p.lower) = std::min(layer(p.lower), layer(p.upper) - step_needed(p));
+        for (const LeafPair& p : problem.from_top)
+            layer(p.lower) = std::min(layer(p.lower), layer(p.upper) - step_needed(p));
     }
     for (std::size_t k = 0; k < layers.size(); ++k) {
         plan.module_layers[static_cast<std::size_t>(problem.tree.node_of_leaf[k])] += layers[k] - before[k];
@@ -194,7 +199,8 @@ void move_common_layers_to_sites(const Problem& problem, Plan& plan) {
     }
     for (std::size_t s = 0; s < nodes.size(); ++s) {
         const int common = at(plan.module_layers, nodes[s].front());
-        const bool same = std::all_of(nodes[s].begin(), nodes[s].end(), [&](int n) { return at(plan.module_layers, n) == common; });
+        const bool same =
+            std::all_of(nodes[s].begin(), nodes[s].end(), [&](int n) { return at(plan.module_layers, n) == common; });
         if (!same || common == 0) continue;
         plan.site_layers[s] += common;
         for (const int n : nodes[s]) plan.module_layers[static_cast<std::size_t>(n)] = 0;
@@ -258,7 +264,8 @@ Grammar written(const Problem& problem, const Plan& plan) {
         const DerivedModule& module = problem.tree.nodes[n];
         const std::vector<int>& address = problem.leaves[static_cast<std::size_t>(module.leaf)].address;
         exceptions.push_back({{address.begin(), address.begin() + module.address_length},
-                              problem.tree.sites[static_cast<std::size_t>(module.site)], plan.module_layers[n]});
+                              problem.tree.sites[static_cast<std::size_t>(module.site)],
+                              plan.module_layers[n]});
     }
     return with_layers(problem.grammar, sites, exceptions);
 }
@@ -267,7 +274,8 @@ bool paints_in_order(const Grammar& grammar, const Problem& problem) {
     const std::vector<Placement> painted = interpret(grammar);
     if (painted.size() != problem.leaves.size()) return false;
     std::vector<int> position(painted.size());
-    for (std::size_t k = 0; k < painted.size(); ++k) position[static_cast<std::size_t>(painted[k].order)] = static_cast<int>(k);
+    for (std::size_t k = 0; k < painted.size(); ++k)
+        position[static_cast<std::size_t>(painted[k].order)] = static_cast<int>(k);
     return std::all_of(problem.pairs.begin(), problem.pairs.end(),
                        [&](const LeafPair& pair) { return at(position, pair.lower) < at(position, pair.upper); });
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Paint order as part of the grammar (ANALYZER section 9): layers where the order of derivation is not the drawing's.
+// Paint order as part of the grammar (docs/analysis.md, 8): layers where the order of derivation is not the drawing's.
 
 #include <vector>
 

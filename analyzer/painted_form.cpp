@@ -11,7 +11,8 @@ namespace {
 double area_under(Point a, const Segment& s) {
     if (s.straight) return cross(a, s.to) / 2;
     return (6 * cross(a, s.control1) + 3 * cross(a, s.control2) + cross(a, s.to) + 3 * cross(s.control1, s.control2) +
-            3 * cross(s.control1, s.to) + 6 * cross(s.control2, s.to)) / 20;
+            3 * cross(s.control1, s.to) + 6 * cross(s.control2, s.to)) /
+           20;
 }
 
 double signed_area(const Path& path) {

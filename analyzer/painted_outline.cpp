@@ -12,7 +12,9 @@ namespace {
 constexpr double plain_corner = 1.05;
 
 /// How far to the sides it paints.
-double breadth(const ThickEdge& edge) { return edge.tip_slope > 0 ? edge.tip_slope * abs(edge.to - edge.from) : edge.radius; }
+double breadth(const ThickEdge& edge) {
+    return edge.tip_slope > 0 ? edge.tip_slope * abs(edge.to - edge.from) : edge.radius;
+}
 
 Box box_of(const ThickEdge& edge) { return grown(including(including(Box{}, edge.from), edge.to), breadth(edge)); }
 
@@ -57,8 +59,10 @@ void append_stroke_tips(std::vector<ThickEdge>& edges, const std::vector<Point>&
 /// The polyline's edges; a single point is an edge of length 0.
 void append_outline(PaintedOutline& region, const std::vector<Point>& line, bool closed, double radius) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) region.edges.push_back({line[i], line[i + 1], radius});
-    if (line.size() == 1 || closed) region.edges.push_back({line.back(), line.front(), radius});
-    else if (region.solid) region.edges.push_back({line.back(), line.front(), 0});
+    if (line.size() == 1 || closed)
+        region.edges.push_back({line.back(), line.front(), radius});
+    else if (region.solid)
+        region.edges.push_back({line.back(), line.front(), 0});
 }
 
 bool edges_touch(const ThickEdge& a, const ThickEdge& b, double margin) {
@@ -125,7 +129,10 @@ PaintedOutline painted_outline(const Element& element, double deviation) {
     const Stroke& stroke = element.style.stroke;
     const bool stroked = paints_stroke(element.style);
     const double radius = stroked ? stroke.width / 2 * largest_stretch(stroke.pen) : 0;
-    PaintedOutline region{.box = painted_box(element), .solid = paints_fill(element.style), .fill_rule = element.style.fill_rule, .stroke_radius = radius};
+    PaintedOutline region{.box = painted_box(element),
+                          .solid = paints_fill(element.style),
+                          .fill_rule = element.style.fill_rule,
+                          .stroke_radius = radius};
     std::vector<ThickEdge> tips;
     for (const Path& path : element.paths) {
         const std::vector<Point> line = flattened(path, deviation);

@@ -19,10 +19,13 @@ struct IndexRange {
 int clamped_index(double index, int count) { return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count))); }
 
 IndexRange indices_within(double low, double high, double origin, double step, int count) {
-    return {clamped_index(std::ceil((low - origin) / step), count), clamped_index(std::floor((high - origin) / step) + 1, count)};
+    return {clamped_index(std::ceil((low - origin) / step), count),
+            clamped_index(std::floor((high - origin) / step) + 1, count)};
 }
 
-Point sample_point(const SampleGrid& grid, int column, int row) { return grid.origin + grid.step * Point{double(column), double(row)}; }
+Point sample_point(const SampleGrid& grid, int column, int row) {
+    return grid.origin + grid.step * Point{double(column), double(row)};
+}
 
 Box box_of(const SampleGrid& grid) { return {grid.origin, sample_point(grid, grid.columns - 1, grid.rows - 1)}; }
 
@@ -30,12 +33,14 @@ std::size_t index_of(const SampleGrid& grid, int column, int row) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column);
 }
 
-std::size_t sample_count(const SampleGrid& grid) { return static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns); }
+std::size_t sample_count(const SampleGrid& grid) {
+    return static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
+}
 
 /// Counts the edge, in each row that it crosses, at the last sample left of it.
 void count_crossings(const ThickEdge& edge, const SampleGrid& grid, std::vector<int>& crossings) {
-    const IndexRange rows =
-        indices_within(std::min(edge.from.y, edge.to.y), std::max(edge.from.y, edge.to.y), grid.origin.y, grid.step, grid.rows);
+    const IndexRange rows = indices_within(std::min(edge.from.y, edge.to.y), std::max(edge.from.y, edge.to.y), grid.origin.y,
+                                           grid.step, grid.rows);
     for (int row = rows.begin; row < rows.end; ++row) {
         const double y = grid.origin.y + grid.step * row;
         if ((edge.from.y <= y) == (edge.to.y <= y)) continue;
@@ -89,7 +94,8 @@ std::vector<char> stroked_samples(const PaintedOutline& outline, const SampleGri
         const double radius = std::max(edge.radius, least_radius);
         const Point along = edge.to - edge.from;
         const StrokeEdge stroke{edge.from, along, norm(along), radius * radius, edge.tip_slope};
-        const Box box = grown(including(including(Box{}, edge.from), edge.to), edge.tip_slope > 0 ? edge.tip_slope * abs(edge.to - edge.from) : radius);
+        const Box box = grown(including(including(Box{}, edge.from), edge.to),
+                              edge.tip_slope > 0 ? edge.tip_slope * abs(edge.to - edge.from) : radius);
         const IndexRange columns = indices_within(box.low.x, box.high.x, grid.origin.x, grid.step, grid.columns);
         const IndexRange rows = indices_within(box.low.y, box.high.y, grid.origin.y, grid.step, grid.rows);
         for (int row = rows.begin; row < rows.end; ++row) {
@@ -120,7 +126,8 @@ PaintedElement painted_element(const Element& element, double deviation) {
 std::vector<Ink> painted_samples(const PaintedElement& element, const SampleGrid& grid, bool stroked) {
     const std::vector<char> in_fill = filled_samples(element.outline, grid);
     const bool strokes = element.strokes && stroked;
-    const std::vector<char> in_stroke = strokes ? stroked_samples(element.outline, grid) : std::vector<char>(in_fill.size(), 0);
+    const std::vector<char> in_stroke =
+        strokes ? stroked_samples(element.outline, grid) : std::vector<char>(in_fill.size(), 0);
     const double stroke_share = std::min(1.0, 2 * element.outline.stroke_radius / grid.step);
     std::vector<Ink> inks(in_fill.size());
     for (int row = 0; row < grid.rows; ++row) {

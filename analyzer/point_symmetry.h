@@ -1,5 +1,5 @@
 #pragma once
-// The isometries that map an outline onto itself, as an explicit group (ANALYZER section 2.3).
+// The isometries that map an outline onto itself, as an explicit group (docs/analysis.md, 1).
 
 #include "analyzer/instancing.h"
 #include "analyzer/moments.h"

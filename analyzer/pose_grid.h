@@ -1,5 +1,5 @@
 #pragma once
-// Look-up of predicted poses among the items of one part (ANALYZER section 4.3), modulo the part's symmetry.
+// Look-up of predicted poses among the items of one part (docs/analysis.md, 4.2), modulo the part's symmetry.
 
 #include <cstdint>
 #include <optional>
@@ -14,8 +14,8 @@ namespace rinceau {
 
 struct PoseMatch {
     int item = 0;
-    int gauge = 0;       ///< item.pose * symmetry[gauge] is the predicted pose
-    double shift = 0;    ///< distance of the origins, scene lengths
+    int gauge = 0;     ///< item.pose * symmetry[gauge] is the predicted pose
+    double shift = 0;  ///< distance of the origins, scene lengths
 };
 
 /// A hash grid over the items' origins. Keeps references to the rules: use it while they live; items that are no longer

@@ -15,10 +15,10 @@ namespace {
 constexpr std::size_t neighbours_in_part = 8;
 constexpr std::size_t neighbours_for_triples = 6;
 constexpr std::size_t neighbours_in_scene = 12;
-constexpr std::size_t small_part = 40;        // all pairs are tried up to here
-constexpr std::size_t few_items = 6;          // a single vote is enough up to here
-constexpr std::size_t most_sequences = 200;   // hypotheses kept for one part
-constexpr std::size_t most_groups = 50;       // ... for one pair of parts
+constexpr std::size_t small_part = 40;       // all pairs are tried up to here
+constexpr std::size_t few_items = 6;         // a single vote is enough up to here
+constexpr std::size_t most_sequences = 200;  // hypotheses kept for one part
+constexpr std::size_t most_groups = 50;      // ... for one pair of parts
 constexpr double cells_per_tolerance = 3;
 
 VoteCell vote_cell(const SearchState& state, int to) {

@@ -1,5 +1,5 @@
 #pragma once
-// Hypotheses from neighbours (Stava et al. 2010, section 5.3, steps 1-3; ANALYZER sections 4.1 and 4.2).
+// Hypotheses from neighbours (Stava et al. 2010, section 5.3, steps 1-3; docs/analysis.md, 4.1).
 
 #include <vector>
 

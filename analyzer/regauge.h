@@ -1,5 +1,5 @@
 #pragma once
-// Choosing another one of an item's symmetry-equivalent poses (ANALYZER section 3.1).
+// Choosing another one of an item's symmetry-equivalent poses (docs/analysis.md, 4).
 
 #include "analyzer/rule_model.h"
 

@@ -56,8 +56,8 @@ void fill_report(AnalysisReport& report, const OrderedRules& ordered, const Writ
         const std::size_t look = look_of_symbol.at(terminal.symbol);
         const SymmetryGroup& symmetry = instancing.looks[look].symmetry;
         const auto rotations = std::ranges::count_if(symmetry.elements, [](const Similarity& s) { return !s.mirrored; });
-        report.terminals.push_back({terminal.symbol, instances[look], symmetry.continuous ? 0 : static_cast<int>(rotations),
-                                    mirrored[look]});
+        report.terminals.push_back(
+            {terminal.symbol, instances[look], symmetry.continuous ? 0 : static_cast<int>(rotations), mirrored[look]});
     }
 
     // Productions: counts over all items that are in use.

@@ -14,7 +14,8 @@ namespace {
 double outline_reach(const Look& look) {
     const Box box = bounds(look.paths);
     if (is_empty(box)) return 1;
-    return std::max({1.0, abs(box.low), abs(box.high), abs(Point{box.low.x, box.high.y}), abs(Point{box.high.x, box.low.y})});
+    return std::max(
+        {1.0, abs(box.low), abs(box.high), abs(Point{box.low.x, box.high.y}), abs(Point{box.high.x, box.low.y})});
 }
 
 struct Nearest {
@@ -74,7 +75,8 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
         const double fine = 0.1 * tolerance;
         append_move(exception.successor, inverse(placement.pose) * nearest.pose,
                     {fine / size, fine / std::max(reach, fine), fine / std::max(reach, fine), fine / std::max(reach, fine)});
-        exception.successor.push_back(command(written.grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol));
+        exception.successor.push_back(
+            command(written.grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol));
         result.grammar.exceptions.push_back(std::move(exception));
         ++result.exceptions;
     }

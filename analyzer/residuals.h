@@ -1,6 +1,6 @@
 #pragma once
 // Exact mode: elements that the rules miss by more than can be tolerated get an exception with what is left over
-// (ANALYZER section 10, "exact").
+// (docs/analysis.md, 7).
 
 #include <vector>
 

@@ -8,10 +8,14 @@ namespace rinceau {
 
 std::string kind_name(RuleKind kind) {
     switch (kind) {
-        case RuleKind::sequence: return "sequence";
-        case RuleKind::ring: return "ring";
-        case RuleKind::linear: return "linear";
-        case RuleKind::group: return "group";
+        case RuleKind::sequence:
+            return "sequence";
+        case RuleKind::ring:
+            return "ring";
+        case RuleKind::linear:
+            return "linear";
+        case RuleKind::group:
+            return "group";
     }
     return "";
 }

@@ -28,9 +28,7 @@ std::vector<int> root_items(const RuleSet& rules) {
     for (std::size_t i = 0; i < rules.items.size(); ++i) {
         if (rules.items[i].alive) roots.push_back(static_cast<int>(i));
     }
-    std::ranges::sort(roots, {}, [&](int i) {
-        return std::pair{rules.items[static_cast<std::size_t>(i)].first, i};
-    });
+    std::ranges::sort(roots, {}, [&](int i) { return std::pair{rules.items[static_cast<std::size_t>(i)].first, i}; });
     return roots;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the rule finder works on (ANALYZER section 1): parts, items and rules.
+// What the rule finder works on (docs/analysis.md, 4): parts, items and rules.
 // A part is a symbol with a frame of its own: a look of the drawing, or what a rule makes with a given count. An item is
 // one place where a part stands. Rules turn items into members of new items until few are left: these form the axiom.
 
@@ -26,11 +26,11 @@ struct Child {
 
 struct Rule {
     RuleKind kind = RuleKind::sequence;
-    int repeated = -1;          ///< part that a sequence, ring or linear rule repeats
-    Similarity step;            ///< from one repetition to the next; linear: the first one
-    double turn_change = 0;     ///< linear: what alpha and beta of the step grow by from one repetition to the next
+    int repeated = -1;       ///< part that a sequence, ring or linear rule repeats
+    Similarity step;         ///< from one repetition to the next; linear: the first one
+    double turn_change = 0;  ///< linear: what alpha and beta of the step grow by from one repetition to the next
     double spin_change = 0;
-    std::vector<Child> members; ///< group: relative to the first, whose pose is the identity
+    std::vector<Child> members;  ///< group: relative to the first, whose pose is the identity
 };
 
 struct Part {
@@ -39,7 +39,7 @@ struct Part {
     int count = 1;                ///< number of repetitions (group: 1)
     std::vector<Child> children;  ///< in order of derivation; origin = mean of their origins, first child unturned, unscaled
     SymmetryGroup symmetry;
-    double radius = 1;            ///< of a circle about the origin that holds the part, roughly; own units
+    double radius = 1;  ///< of a circle about the origin that holds the part, roughly; own units
     int leaves = 1;
 };
 

@@ -30,6 +30,8 @@ std::vector<Candidate> candidates_of(const SearchState& state) {
         int votes = 0;
     };
     const double cell = centre_cell * state.diagonal;
+    std::array<Complex, folds.size()> turns;
+    for (std::size_t f = 0; f < folds.size(); ++f) turns[f] = turn_of(folds[f]);
     std::map<std::tuple<int, std::int64_t, std::int64_t>, Sum> sums;
     for (std::size_t p = 0; p < state.members.size(); ++p) {
         const Part& part = state.part(static_cast<int>(p));
@@ -40,12 +42,12 @@ std::vector<Candidate> candidates_of(const SearchState& state) {
             for (std::size_t j = 0; j < items.size(); j += step) {
                 const Similarity& to = state.item(items[j]).pose;
                 if (i == j || std::abs(scale_of(to) / scale_of(from) - 1) > state.tolerance.turn(part.radius)) continue;
-                for (const int fold : folds) {
-                    const Complex turn = turn_of(fold);
+                for (std::size_t f = 0; f < folds.size(); ++f) {
+                    const Complex turn = turns[f];
                     const Similarity turned{turn * from.linear, to.translation, from.mirrored};
                     if (matching_gauge(part, to, turned, state.tolerance.turn(part.radius)) < 0) continue;
                     const Point centre = (to.translation - turn * from.translation) / (Complex{1, 0} - turn);
-                    Sum& sum = sums[{fold, std::llround(centre.x / cell), std::llround(centre.y / cell)}];
+                    Sum& sum = sums[{folds[f], std::llround(centre.x / cell), std::llround(centre.y / cell)}];
                     sum.centre += centre;
                     ++sum.votes;
                 }
@@ -64,7 +66,8 @@ std::vector<Candidate> candidates_of(const SearchState& state) {
 Similarity rotation_about(Point centre, Complex turn) { return {turn, centre - turn * centre, false}; }
 
 /// Items that the rotation takes round through `fold` different items and back.
-std::vector<std::vector<int>> orbits_of(const SearchState& state, const std::vector<PoseGrid>& grids, Point centre, int fold) {
+std::vector<std::vector<int>> orbits_of(const SearchState& state, const std::vector<PoseGrid>& grids, Point centre,
+                                        int fold) {
     const Similarity rotation = rotation_about(centre, turn_of(fold));
     // Exact copies about an exact centre: the error of the centre counts for all alike.
     const PoseTolerance tolerance{2 * state.tolerance.size, 2 * state.tolerance.angle, 0};
@@ -115,7 +118,8 @@ std::optional<SceneRotation> find_scene_rotation(const SearchState& state) {
     }
     std::optional<SceneRotation> best;
     for (const Candidate& candidate : candidates_of(state)) {
-        SceneRotation rotation{candidate.centre, candidate.fold, orbits_of(state, grids, candidate.centre, candidate.fold), 0};
+        SceneRotation rotation{candidate.centre, candidate.fold, orbits_of(state, grids, candidate.centre, candidate.fold),
+                               0};
         if (rotation.orbits.empty()) continue;
         rotation.centre = refined_centre(state, rotation.orbits);
         rotation.orbits = orbits_of(state, grids, rotation.centre, rotation.fold);

@@ -1,5 +1,5 @@
 #pragma once
-// Rotations of the whole drawing, found from the top (ANALYZER section 4.7): steps between neighbours do not see a rotation
+// Rotations of the whole drawing, found from the top (docs/analysis.md, 4.6): steps between neighbours do not see a rotation
 // about a far centre, one map of the plane does.
 
 #include <optional>

@@ -35,7 +35,8 @@ double median_nearest(const std::vector<Point>& origins, double otherwise) {
     const std::size_t stride = 1 + origins.size() / most_samples;
     const KdTree tree(origins);
     std::vector<double> distances;
-    for (std::size_t i = 0; i < origins.size(); i += stride) distances.push_back(tree.nearest(origins[i], 2).back().distance);
+    for (std::size_t i = 0; i < origins.size(); i += stride)
+        distances.push_back(tree.nearest(origins[i], 2).back().distance);
     std::ranges::nth_element(distances, distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2));
     const double median = distances[distances.size() / 2];
     return median > 0 ? median : otherwise;

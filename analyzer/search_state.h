@@ -10,21 +10,21 @@
 
 namespace rinceau {
 
-/// What it costs to write one item of a part flat (ANALYZER section 4.4).
+/// What it costs to write one item of a part flat (docs/analysis.md, 4.3).
 struct PartCost {
-    double place_bits = 0;  ///< one coordinate, to the tolerance, anywhere in the drawing
-    double angle_bits = 0;  ///< empirical entropy of the orientations in this part
-    double scale_bits = 0;  ///< ... of the sizes
-    double item_bits = 0;   ///< all: two coordinates, angle, scale, which part
-    double size = 1;        ///< geometric mean of the items' scales
+    double place_bits = 0;          ///< one coordinate, to the tolerance, anywhere in the drawing
+    double angle_bits = 0;          ///< empirical entropy of the orientations in this part
+    double scale_bits = 0;          ///< ... of the sizes
+    double item_bits = 0;           ///< all: two coordinates, angle, scale, which part
+    double size = 1;                ///< geometric mean of the items' scales
     double neighbour_distance = 1;  ///< median distance of an item to the nearest other one of the part
 };
 
 struct SearchState {
     RuleSet rules;
     PoseTolerance tolerance;
-    double diagonal = 1;            ///< of the drawing
-    double neighbour_distance = 1;  ///< median distance of an element to the nearest other one
+    double diagonal = 1;                    ///< of the drawing
+    double neighbour_distance = 1;          ///< median distance of an element to the nearest other one
     std::vector<std::vector<int>> members;  ///< living items by part, rising
     std::vector<PartCost> costs;            ///< by part
 
@@ -34,8 +34,8 @@ struct SearchState {
     const PartCost& cost(int p) const { return costs[static_cast<std::size_t>(p)]; }
 };
 
-/// Parts for the looks and an item for each element; verbatim ones are in no list of members. Several copies in the same place become one item of
-/// a part that holds them all, so that places are unique.
+/// Parts for the looks and an item for each element; verbatim ones are in no list of members. Several copies in the same
+/// place become one item of a part that holds them all, so that places are unique.
 SearchState starting_state(const Instancing& instancing, const PoseTolerance& tolerance, double diagonal);
 
 /// Recomputes members and costs of these parts after items were added or died.

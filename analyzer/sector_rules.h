@@ -1,6 +1,6 @@
 #pragma once
 // A rotation of the whole drawing as the rule above all others: one sector is analysed and turned about the centre
-// (ANALYZER section 4.7, steps 4 and 5).
+// (docs/analysis.md, 4.6).
 
 #include "analyzer/generate_rules.h"
 #include "analyzer/scene_rotation.h"

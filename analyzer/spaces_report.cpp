@@ -38,15 +38,19 @@ std::string cluster_color(int cluster) {
 std::string escaped(const std::string& plain) {
     std::string result;
     for (const char c : plain) {
-        if (c == '&') result += "&amp;";
-        else if (c == '<') result += "&lt;";
-        else result += c;
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else
+            result += c;
     }
     return result;
 }
 
 std::string label(double x, double y, const char* anchor, const std::string& content) {
-    return "<text x=\"" + text(x) + "\" y=\"" + text(y) + "\" text-anchor=\"" + anchor + "\">" + escaped(content) + "</text>\n";
+    return "<text x=\"" + text(x) + "\" y=\"" + text(y) + "\" text-anchor=\"" + anchor + "\">" + escaped(content) +
+           "</text>\n";
 }
 
 /// A range of values on a side of a plot.
@@ -128,8 +132,8 @@ std::string spaces_csv(const std::vector<ClusteredSpace>& spaces, const std::vec
         for (std::size_t i = 0; i < clustered.space.points.size(); ++i) {
             const TransformationPoint& p = clustered.space.points[i];
             csv += name_of(names, clustered.space.from) + ',' + name_of(names, clustered.space.to) + ',' +
-                   std::to_string(p.from) + ',' + std::to_string(p.to) + ',' + text(degrees(p.alpha)) + ',' + text(p.d) + ',' +
-                   text(p.s) + ',' + text(degrees(p.beta)) + ',' + (p.mirrored ? '1' : '0') + ',' +
+                   std::to_string(p.from) + ',' + std::to_string(p.to) + ',' + text(degrees(p.alpha)) + ',' + text(p.d) +
+                   ',' + text(p.s) + ',' + text(degrees(p.beta)) + ',' + (p.mirrored ? '1' : '0') + ',' +
                    std::to_string(clustered.clusters.cluster_of[i]) + '\n';
         }
     return csv;
@@ -144,8 +148,9 @@ std::string spaces_svg(const std::vector<ClusteredSpace>& spaces, const std::vec
     if (shown.size() > most_spaces) shown.resize(most_spaces);
     std::ranges::sort(shown);
     const double height = std::max<double>(1, static_cast<double>(shown.size())) * row_height;
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + text(page_width) + "\" height=\"" + text(height) +
-                      "\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    std::string svg =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + text(page_width) + "\" height=\"" + text(height) +
+        "\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (std::size_t row = 0; row < shown.size(); ++row)
         svg += draw(spaces[shown[row]], names, static_cast<double>(row) * row_height);
     return svg + "</svg>\n";

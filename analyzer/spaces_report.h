@@ -14,11 +14,12 @@ struct ClusteredSpace {
 };
 
 /// Every space with its clusters.
-std::vector<ClusteredSpace> cluster_spaces(std::vector<TransformationSpace> spaces, const MeanShiftBandwidths& bandwidths = {});
+std::vector<ClusteredSpace> cluster_spaces(std::vector<TransformationSpace> spaces,
+                                           const MeanShiftBandwidths& bandwidths = {});
 
 /// One line a point under a heading line: from,to,from_element,to_element,alpha,d,s,beta,mirrored,cluster. Looks by name,
-/// angles in degrees, elements and clusters counted from 0; cluster 0 of a space is its largest. `names` has one name for each
-/// look.
+/// angles in degrees, elements and clusters counted from 0; cluster 0 of a space is its largest. `names` has one name for
+/// each look.
 std::string spaces_csv(const std::vector<ClusteredSpace>& spaces, const std::vector<std::string>& names);
 
 /// An SVG drawing: for each space a title and two scatter plots, alpha against d and beta against s (log scale), a dot for

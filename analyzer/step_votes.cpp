@@ -18,8 +18,7 @@ VoteCoordinates linear_coordinates(const StepVote& vote, const VoteCell& cell) {
     constexpr double finer = 0.25;  // a chain walked backwards exchanges the two changes: near values must stay apart
     const double advance = abs(vote.step.translation);
     return {advance / (cell.place * (1 + cell.per_distance * advance)), std::log(scale_of(vote.step)) / cell.spin,
-            vote.turn_change / (finer * cell.spin),
-            vote.spin_change / (finer * cell.spin)};
+            vote.turn_change / (finer * cell.spin), vote.spin_change / (finer * cell.spin)};
 }
 
 std::uint64_t StepVotes::key(const std::array<std::int64_t, 4>& at, bool mirrored) const {
@@ -95,9 +94,8 @@ std::vector<StepCluster> StepVotes::clusters(std::size_t least, std::size_t most
     for (std::size_t b = 0; b < bins_.size(); ++b) {
         if (bins_[b].votes.size() >= least) order.push_back(b);
     }
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-        return bins_[a].votes.size() > bins_[b].votes.size();
-    });
+    std::ranges::stable_sort(order,
+                             [&](std::size_t a, std::size_t b) { return bins_[a].votes.size() > bins_[b].votes.size(); });
     if (order.size() > most) order.resize(most);
     std::vector<StepCluster> clusters;
     clusters.reserve(order.size());

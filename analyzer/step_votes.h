@@ -1,6 +1,6 @@
 #pragma once
 // Clusters of steps: the transformation space of a pair of parts, sampled by neighbours (Stava et al. 2010, section 4.3;
-// ANALYZER section 4.2). 
+// docs/analysis.md, 4.1).
 
 #include <array>
 #include <cstdint>
@@ -20,15 +20,15 @@ struct StepVote {
 };
 
 struct StepCluster {
-    Similarity step;         ///< means of the votes
+    Similarity step;  ///< means of the votes
     double turn_change = 0;
     double spin_change = 0;
     std::vector<StepVote> votes;
 };
 
 struct VoteCell {
-    double place = 0.03;  ///< cell in units of the source's size at short distance
-    double spin = 0.03;   ///< cell of the unit linear part
+    double place = 0.03;         ///< cell in units of the source's size at short distance
+    double spin = 0.03;          ///< cell of the unit linear part
     double per_distance = 0.05;  ///< growth of the place cell with distance
 };
 

@@ -82,8 +82,7 @@ class LengthsFinder {
   private:
     void read(std::uint64_t kind, const Indices& members) {
         Reading scaling = reading(members, false);
-        const bool scales_only =
-            std::ranges::any_of(members, [&](std::size_t i) { return strokes_[i].scales_only; });
+        const bool scales_only = std::ranges::any_of(members, [&](std::size_t i) { return strokes_[i].scales_only; });
         if (scales_only) return take(scaling);
         Reading fixed = reading(members, true);
         if (scaling.groups.size() < fixed.groups.size()) return take(scaling);

@@ -12,5 +12,4 @@ namespace rinceau {
 /// speaks: fill, stroke, pen. Offsets under `tolerance` (unit lengths) count as none.
 std::vector<double> style_axes(const Style& style, double tolerance);
 
-
 }  // namespace rinceau

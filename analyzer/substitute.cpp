@@ -13,8 +13,8 @@ namespace rinceau {
 
 namespace {
 
-constexpr double guard_slack = 3;          // members may miss their predicted place by this many tolerances
-constexpr double natural_slack = 0.5;      // of the tolerance, given up for round values
+constexpr double guard_slack = 3;      // members may miss their predicted place by this many tolerances
+constexpr double natural_slack = 0.5;  // of the tolerance, given up for round values
 
 double child_radius(const SearchState& state, const Hypothesis& hypothesis) {
     return std::max(1.0, state.part(hypothesis.to).radius);
@@ -36,7 +36,8 @@ Part new_part(const SearchState& state, const Rule& rule, int rule_index, int co
         const int child = rule.kind == RuleKind::group ? rule.members[k].part : rule.repeated;
         part.children.push_back({child, poses[k]});
     }
-    return completed_part(state.rules, std::move(part), guard_slack * state.tolerance.size, guard_slack * state.tolerance.angle);
+    return completed_part(state.rules, std::move(part), guard_slack * state.tolerance.size,
+                          guard_slack * state.tolerance.angle);
 }
 
 /// Where the members of a chain lie when the group stands in its best pose; false if one of them misses its place.
@@ -45,7 +46,8 @@ bool members_fit(const SearchState& state, const Part& part, const Chain& chain,
         const Similarity predicted = whole * part.children[k].pose;
         const double size = scale_of(chain.frames[k]);
         const double far = abs(predicted.translation - whole.translation);
-        if (abs(predicted.translation - chain.frames[k].translation) > guard_slack * state.tolerance.shift(size, far)) return false;
+        if (abs(predicted.translation - chain.frames[k].translation) > guard_slack * state.tolerance.shift(size, far))
+            return false;
         const double turn = state.tolerance.turn(state.part(part.children[k].part).radius);
         if (abs(predicted.linear - chain.frames[k].linear) > guard_slack * turn * size) return false;
     }
@@ -58,7 +60,8 @@ struct Applied {
 };
 
 /// The chains of an evaluation by the production that they need: open ones together, rings by their number.
-std::vector<Applied> productions_needed(const SearchState& state, const Hypothesis& hypothesis, const Evaluation& evaluation) {
+std::vector<Applied> productions_needed(const SearchState& state, const Hypothesis& hypothesis,
+                                        const Evaluation& evaluation) {
     std::map<int, Applied> needed;
     for (const Chain& chain : evaluation.chains) {
         const bool ring = chain.closed && hypothesis.kind == RuleKind::sequence;
@@ -95,7 +98,8 @@ void apply(SearchState& state, const Applied& applied, int known_rule, std::set<
     for (const Chain& chain : applied.chains) {
         const int count = static_cast<int>(chain.items.size());
         const auto known = part_of_count.find(rule.kind == RuleKind::group ? 1 : count);
-        const Part part = known != part_of_count.end() ? state.part(known->second) : new_part(state, rule, rule_index, count);
+        const Part part =
+            known != part_of_count.end() ? state.part(known->second) : new_part(state, rule, rule_index, count);
         std::vector<Similarity> poses;
         std::vector<double> radii;
         for (const Child& child : part.children) {

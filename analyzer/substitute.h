@@ -1,5 +1,5 @@
 #pragma once
-// Applying a rule: its items become members of new items (Stava et al. 2010, sections 5.5 and 5.6; ANALYZER section 4.6).
+// Applying a rule: its items become members of new items (Stava et al. 2010, sections 5.5 and 5.6; docs/analysis.md, 4.5).
 
 #include <vector>
 

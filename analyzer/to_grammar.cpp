@@ -104,8 +104,8 @@ class Writer {
         return command(symbol(part), static_cast<double>(at.count));
     }
 
-    /// Slack for one move at turtle scale `scale` that is followed by things reaching out to `reach` turtle units and that is
-    /// made `times` times in a row.
+    /// Slack for one move at turtle scale `scale` that is followed by things reaching out to `reach` turtle units and that
+    /// is made `times` times in a row.
     MoveSlack move_slack(double scale, double advance, double reach, int times) const {
         const double length = slack_ / scale / times;
         MoveSlack slack;
@@ -117,13 +117,15 @@ class Writer {
     }
 
     /// "[" move, module "]" for a part at a pose in the frame of a turtle at scale `scale`.
-    void append_placed(std::vector<ModuleTemplate>& modules, const Similarity& wanted, int part, double scale, bool brackets) {
+    void append_placed(std::vector<ModuleTemplate>& modules, const Similarity& wanted, int part, double scale,
+                       bool brackets) {
         std::vector<ModuleTemplate> placed;
         Similarity pose = wanted;
         if (rules_.parts[static_cast<std::size_t>(part)].symmetry.continuous) {  // any angle draws the same
             pose.linear = {scale_of(pose), 0};
             pose.mirrored = false;
-            if (abs(pose.translation) > 0) pose.linear = pose.linear * (pose.translation / abs(pose.translation)) * Complex{0, -1};
+            if (abs(pose.translation) > 0)
+                pose.linear = pose.linear * (pose.translation / abs(pose.translation)) * Complex{0, -1};
         }
         append_move(placed, pose, move_slack(scale, abs(pose.translation), extent(part) * scale_of(pose), 1));
         placed.push_back(module(part));
@@ -199,8 +201,9 @@ class Writer {
         // A growing chain ends larger than it begins.
         const int count = longest_count(part.rule);
         const double growth = std::max(1.0, std::pow(scale_of(step), count - 1));
-        append_move(body, step, move_slack(largest_scale_of_rule(part.rule) * growth, abs(step.translation),
-                                           extent(rule.repeated), std::max(1, count - 1)));
+        append_move(body, step,
+                    move_slack(largest_scale_of_rule(part.rule) * growth, abs(step.translation), extent(rule.repeated),
+                               std::max(1, count - 1)));
         return body;
     }
 

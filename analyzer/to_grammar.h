@@ -1,5 +1,5 @@
 #pragma once
-// Rules as an L-system (Stava et al. 2010, sections 5.2 and 5.7; ANALYZER section 5).
+// Rules as an L-system (Stava et al. 2010, sections 5.2 and 5.7; docs/analysis.md, 7).
 
 #include <map>
 #include <string>
@@ -14,7 +14,7 @@ namespace rinceau {
 
 struct WrittenGrammar {
     Grammar grammar;
-    std::vector<int> element_of_leaf;       ///< scene element of each terminal in order of derivation
+    std::vector<int> element_of_leaf;         ///< scene element of each terminal in order of derivation
     std::vector<std::string> symbol_of_part;  ///< "" = not in use
     std::vector<Similarity> terminal_anchor;  ///< by look: terminal frame -> unit frame
 };

@@ -50,7 +50,8 @@ TransformationPoint reduced_point(const Instancing& instancing, int from, int to
     TransformationPoint best = to_transformation_point(pose_of(instancing, from), pose_of(instancing, to));
     for (const Similarity& g : symmetry(from).elements)
         for (const Similarity& h : symmetry(to).elements) {
-            const TransformationPoint p = to_transformation_point(pose_of(instancing, from) * g, pose_of(instancing, to) * h);
+            const TransformationPoint p =
+                to_transformation_point(pose_of(instancing, from) * g, pose_of(instancing, to) * h);
             if (p.mirrored > best.mirrored) continue;
             if (p.mirrored < best.mirrored || turns(p) < turns(best) - same_turn) best = p;
         }
@@ -87,8 +88,10 @@ TransformationPoint to_transformation_point(const Similarity& from, const Simila
     point.d = abs(step.translation);
     point.s = scale_of(step);
     // Heading +y: a translation straight ahead has argument pi / 2.
-    if (point.d > no_advance) point.alpha = wrap_angle(arg(step.translation) - pi / 2);
-    else point.d = 0;
+    if (point.d > no_advance)
+        point.alpha = wrap_angle(arg(step.translation) - pi / 2);
+    else
+        point.d = 0;
     point.beta = wrap_angle(arg(step.linear) - point.alpha);
     return point;
 }

@@ -10,22 +10,22 @@ namespace rinceau {
 
 /// The pose of `to` in the frame of `from` as turtle commands +(alpha) f(d) *(s) +(beta). Heading = +y of the frame.
 struct TransformationPoint {
-    int from = 0, to = 0;  ///< elements
-    double alpha = 0;      ///< turn before the advance, radians in (-pi, pi]; 0 where d vanishes
-    double d = 0;          ///< advance, in units of the `from` element (its rms radius is 1)
-    double s = 1;          ///< size of `to` over size of `from`
-    double beta = 0;       ///< turn after the advance, radians in (-pi, pi]
-    bool mirrored = false; ///< one of the two is a mirror image of the other; beta is then that of the mirror image
+    int from = 0, to = 0;   ///< elements
+    double alpha = 0;       ///< turn before the advance, radians in (-pi, pi]; 0 where d vanishes
+    double d = 0;           ///< advance, in units of the `from` element (its rms radius is 1)
+    double s = 1;           ///< size of `to` over size of `from`
+    double beta = 0;        ///< turn after the advance, radians in (-pi, pi]
+    bool mirrored = false;  ///< one of the two is a mirror image of the other; beta is then that of the mirror image
 };
 
 struct TransformationSpace {
-    int from = 0, to = 0;  ///< looks
+    int from = 0, to = 0;                     ///< looks
     std::vector<TransformationPoint> points;  ///< by (from, to) element
 };
 
 struct TransformationSpaceOptions {
-    int neighbors = 8;       ///< of each element within the other look
-    int all_pairs_up_to = 40;///< so few instances of both looks: all pairs
+    int neighbors = 8;         ///< of each element within the other look
+    int all_pairs_up_to = 40;  ///< so few instances of both looks: all pairs
 };
 
 /// Spaces by (from, to), without empty ones. Angles of symmetric looks are reduced to those nearest 0 that draw the same;

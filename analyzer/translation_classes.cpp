@@ -17,9 +17,9 @@ void append_style(Key& key, const Style& style) {
     const Stroke& stroke = style.stroke;
     append_paint(key, style.fill);
     append_paint(key, stroke.paint);
-    key.insert(key.end(), {style.fill_opacity, double(style.fill_rule), style.opacity, double(style.stroke_first), stroke.opacity,
-                           stroke.width, double(stroke.cap), double(stroke.join), stroke.miter_limit, double(stroke.dashes.size()),
-                           stroke.pen.a, stroke.pen.b, stroke.pen.c, stroke.pen.d});
+    key.insert(key.end(), {style.fill_opacity, double(style.fill_rule), style.opacity, double(style.stroke_first),
+                           stroke.opacity, stroke.width, double(stroke.cap), double(stroke.join), stroke.miter_limit,
+                           double(stroke.dashes.size()), stroke.pen.a, stroke.pen.b, stroke.pen.c, stroke.pen.d});
 }
 
 void append_paths(Key& key, const std::vector<Path>& paths, double quantum) {
@@ -50,7 +50,8 @@ std::vector<int> translation_classes(const Scene& scene, double quantum) {
     std::map<Key, int> known;
     int count = 0;
     for (const Element& element : scene.elements) {
-        const bool alone = element.paths.empty() || has_gradient(element.style.fill) || has_gradient(element.style.stroke.paint);
+        const bool alone =
+            element.paths.empty() || has_gradient(element.style.fill) || has_gradient(element.style.stroke.paint);
         Key key;
         if (!alone) {
             append_style(key, element.style);

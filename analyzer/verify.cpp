@@ -71,7 +71,8 @@ std::string faults_of(const Verification& result) {
 }
 
 std::string summary_of(const Verification& result, bool all_overlaps) {
-    std::string text = result.passed ? (result.elements == 1 ? "The one element is" : "All " + std::to_string(result.elements) + " elements are") +
+    std::string text = result.passed ? (result.elements == 1 ? "The one element is"
+                                                             : "All " + std::to_string(result.elements) + " elements are") +
                                            std::string(" drawn as they were")
                                      : "Of " + counted(result.elements, "element", "elements") + ": " + faults_of(result);
     text += "; largest deviation " + short_number(result.max_deviation) + " of the diagonal";

@@ -16,20 +16,22 @@ struct VerifyOptions {
 
 struct Verification {
     bool passed = false;
-    int elements = 0;          ///< in the scene
-    int unmatched = 0;         ///< elements of the scene that nothing draws
-    int surplus = 0;           ///< drawn elements that the scene does not have
-    int displaced = 0;         ///< drawn, but further off than the tolerance (up to four times as far; beyond, it is unmatched)
-    int wrong_style = 0;       ///< drawn in the right place in another style
-    int wrong_order = 0;       ///< overlapping pairs, painted differently, in the wrong order (overlaps.h)
+    int elements = 0;     ///< in the scene
+    int unmatched = 0;    ///< elements of the scene that nothing draws
+    int surplus = 0;      ///< drawn elements that the scene does not have
+    int displaced = 0;    ///< drawn, but further off than the tolerance (up to four times as far; beyond, it is unmatched)
+    int wrong_style = 0;  ///< drawn in the right place in another style
+    int wrong_order = 0;  ///< overlapping pairs, painted differently, in the wrong order (overlaps.h)
     double max_deviation = 0;  ///< of outlines, share of the diagonal, over matched elements
     double rms_deviation = 0;
-    std::vector<int> faulty;   ///< scene elements that are unmatched, displaced, wrong in style or in order; rising, no repeats
-    std::string summary;       ///< one sentence for the user
+    std::vector<int>
+        faulty;           ///< scene elements that are unmatched, displaced, wrong in style or in order; rising, no repeats
+    std::string summary;  ///< one sentence for the user
 };
 
 /// Derives the grammar afresh and compares outline by outline (both ways, along the curves), style by style, and the paint
-/// order of every pair that find_overlaps lists: those whose order a picture 900 pixels wide shows. Passed = all counts of faults are 0.
+/// order of every pair that find_overlaps lists: those whose order a picture 900 pixels wide shows. Passed = all counts of
+/// faults are 0.
 Verification verify(const Grammar& grammar, const Scene& scene, const VerifyOptions& options = {});
 
 /// The same with the scene's overlaps at hand: whatever pairs are in there must be painted in the drawing's order.

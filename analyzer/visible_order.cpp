@@ -30,7 +30,8 @@ constexpr int most_samples_per_cell = 2;
 constexpr double deviation_in_pixels = 1.0 / 16;
 
 Box common_part(const Box& a, const Box& b) {
-    return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)}, {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+    return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+            {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
 }
 
 struct Comparison {
@@ -90,7 +91,8 @@ bool unlike_all_near(const Picture& one, const Picture& other, int column, int r
     return true;
 }
 
-/// Are enough squares in one neighbourhood marked? Of the marks, those within half a neighbourhood of the border are the rim.
+/// Are enough squares in one neighbourhood marked? Of the marks, those within half a neighbourhood of the border are the
+/// rim.
 bool more_than_specks(const std::vector<char>& marks, int columns, int rows) {
     for (int row = half_neighborhood; row + half_neighborhood < rows; ++row) {
         for (int column = half_neighborhood; column + half_neighborhood < columns; ++column) {
@@ -119,7 +121,9 @@ bool pictures_differ(const Picture& one, const Picture& other, double least) {
             const int x = column + blur;
             const int y = row + blur;
             if (difference(squares.at(x, y), other_squares.at(x, y)) <= least) continue;
-            if (!unlike_all_near(squares, other_squares, x, y, least) && !unlike_all_near(other_squares, squares, x, y, least)) continue;
+            if (!unlike_all_near(squares, other_squares, x, y, least) &&
+                !unlike_all_near(other_squares, squares, x, y, least))
+                continue;
             marks[static_cast<std::size_t>(row * columns + column)] = 1;
             ++marked;
         }
@@ -130,7 +134,9 @@ bool pictures_differ(const Picture& one, const Picture& other, double least) {
 /// Points in whole cells around the middle of the box, at least covering it.
 SampleGrid grid_around(const Comparison& comparison, const Box& box) {
     const int m = comparison.samples_per_cell;
-    const auto samples = [&](double length) { return m * std::max(1, static_cast<int>(std::ceil(length / comparison.cell))); };
+    const auto samples = [&](double length) {
+        return m * std::max(1, static_cast<int>(std::ceil(length / comparison.cell)));
+    };
     SampleGrid grid{.step = comparison.cell / m, .columns = samples(width(box)), .rows = samples(height(box))};
     grid.origin = center(box) - grid.step / 2 * Point{double(grid.columns - 1), double(grid.rows - 1)};
     return grid;
@@ -143,7 +149,8 @@ struct TwoInks {
 
 TwoInks sampled(Comparison& comparison, const SampleGrid& grid) {
     comparison.samples += static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
-    return {painted_samples(comparison.a, grid, comparison.stroked_a), painted_samples(comparison.b, grid, comparison.stroked_b)};
+    return {painted_samples(comparison.a, grid, comparison.stroked_a),
+            painted_samples(comparison.b, grid, comparison.stroked_b)};
 }
 
 /// The squares' mean differences add up to those of the cells: are these together too little for `least_differing` squares?
@@ -205,9 +212,11 @@ bool seen_in_box(Comparison& comparison, const Box& box) {
 int samples_per_cell(const PaintedElement& a, const PaintedElement& b, double cell) {
     double width = cell;
     for (const PaintedElement* element : {&a, &b}) {
-        if (element->strokes && element->outline.stroke_radius > 0) width = std::min(width, 2 * element->outline.stroke_radius);
+        if (element->strokes && element->outline.stroke_radius > 0)
+            width = std::min(width, 2 * element->outline.stroke_radius);
     }
-    const int needed = width * most_samples_per_cell <= cell ? most_samples_per_cell : static_cast<int>(std::ceil(cell / width));
+    const int needed =
+        width * most_samples_per_cell <= cell ? most_samples_per_cell : static_cast<int>(std::ceil(cell / width));
     return std::min(needed, most_samples_per_cell);
 }
 
@@ -220,11 +229,17 @@ bool too_thin_to_see(const Box& a, const Box& b, double pixel, const VisibleOrde
 
 double sampling_deviation(double pixel) { return deviation_in_pixels * pixel; }
 
-VisibleOrder visible_order(const PaintedElement& a, const PaintedElement& b, double pixel, const VisibleOrderOptions& options) {
+VisibleOrder visible_order(const PaintedElement& a, const PaintedElement& b, double pixel,
+                           const VisibleOrderOptions& options) {
     if (too_thin_to_see(a.outline.box, b.outline.box, pixel, options)) return {};
     const Box common = common_part(a.outline.box, b.outline.box);
     const double cell = pixel / cells_per_pixel;
-    Comparison comparison{.a = a, .b = b, .common = common, .cell = cell, .samples_per_cell = samples_per_cell(a, b, cell), .options = options};
+    Comparison comparison{.a = a,
+                          .b = b,
+                          .common = common,
+                          .cell = cell,
+                          .samples_per_cell = samples_per_cell(a, b, cell),
+                          .options = options};
     // 1. The middle decides for most things on a ground.
     const double half_probe = probe_cells * cell / 2;
     if (seen_at_once(comparison, grown({center(common), center(common)}, half_probe)).value_or(false)) return {true, 1};
@@ -242,7 +257,9 @@ VisibleOrder visible_order(const PaintedElement& a, const PaintedElement& b, dou
 
 bool order_can_be_seen(const Element& a, const Element& b, double pixel, const VisibleOrderOptions& options) {
     if (!a.verbatim.empty() || !b.verbatim.empty()) return true;
-    const auto paints = [](const Element& e) { return !e.paths.empty() && (paints_fill(e.style) || paints_stroke(e.style)); };
+    const auto paints = [](const Element& e) {
+        return !e.paths.empty() && (paints_fill(e.style) || paints_stroke(e.style));
+    };
     if (!paints(a) || !paints(b)) return false;
     const double deviation = sampling_deviation(pixel);
     return visible_order(painted_element(a, deviation), painted_element(b, deviation), pixel, options).visible;

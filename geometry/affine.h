@@ -19,8 +19,8 @@ constexpr Point apply(const Affine& m, Point p) { return {m.a * p.x + m.c * p.y 
 
 /// First `n`, then `m`.
 constexpr Affine operator*(const Affine& m, const Affine& n) {
-    return {m.a * n.a + m.c * n.b,       m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
-            m.b * n.c + m.d * n.d,       m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};
+    return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
+            m.b * n.c + m.d * n.d, m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};
 }
 
 constexpr double determinant(const Affine& m) { return m.a * m.d - m.b * m.c; }
@@ -28,7 +28,7 @@ constexpr double determinant(const Affine& m) { return m.a * m.d - m.b * m.c; }
 /// The inverse map; `m` must be invertible (determinant not 0).
 constexpr Affine inverse(const Affine& m) {
     const double det = determinant(m);
-    return {m.d / det,  -m.b / det, -m.c / det, m.a / det, (m.c * m.f - m.d * m.e) / det, (m.b * m.e - m.a * m.f) / det};
+    return {m.d / det, -m.b / det, -m.c / det, m.a / det, (m.c * m.f - m.d * m.e) / det, (m.b * m.e - m.a * m.f) / det};
 }
 
 constexpr Affine to_affine(const Similarity& g) {

@@ -32,13 +32,14 @@ class BoxTree {
         const std::size_t end = std::min(first + fan_out, levels_[level].size());
         for (std::size_t i = first; i < end; ++i) {
             if (!overlap(levels_[level][i], query)) continue;
-            if (!(level == 0 ? visit_index(indices_[i]) : visit_node(level - 1, i * fan_out, query, visit_index))) return false;
+            if (!(level == 0 ? visit_index(indices_[i]) : visit_node(level - 1, i * fan_out, query, visit_index)))
+                return false;
         }
         return true;
     }
 
-    std::vector<std::size_t> indices_;       ///< of the given boxes, in the order of levels_[0]
-    std::vector<std::vector<Box>> levels_;   ///< levels_[0] the boxes; node i of level k covers i * fan_out .. of level k - 1
+    std::vector<std::size_t> indices_;      ///< of the given boxes, in the order of levels_[0]
+    std::vector<std::vector<Box>> levels_;  ///< levels_[0] the boxes; node i of level k covers i * fan_out .. of level k - 1
 };
 
 }  // namespace rinceau

@@ -1,6 +1,6 @@
 #pragma once
-// A similarity as the turtle walks it: +(turn) f(advance) *(scale) +(spin), then | if mirrored (Stava et al. 2010, section 4.3).
-
+// A similarity as the turtle walks it: +(turn) f(advance) *(scale) +(spin), then | if mirrored (Stava et al. 2010,
+// section 4.3).
 
 #include "geometry/similarity.h"
 

@@ -7,8 +7,8 @@ namespace rinceau {
 
 namespace {
 
-constexpr int paper = 250;      // a pixel with all channels at least this is no ink
-constexpr int visible = 32;     // levels
+constexpr int paper = 250;   // a pixel with all channels at least this is no ink
+constexpr int visible = 32;  // levels
 
 const std::uint8_t* pixel_at(const Picture& picture, int x, int y) {
     return picture.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * picture.width + x);

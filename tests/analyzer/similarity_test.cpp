@@ -1,4 +1,4 @@
-// The table of ANALYZER section 2.4, and what a group of similar elements promises.
+// The table of docs/analysis.md, 1, and what a group of similar elements promises.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Seconds for grouping 1e3, 1e4 and 1e5 copies of 70 shapes (ANALYZER section 2.4): random similarities and mirror images,
+// Seconds for grouping 1e3, 1e4 and 1e5 copies of 70 shapes (docs/analysis.md, 1): random similarities and mirror images,
 // random start nodes, reversals and splits; without noise and with noise of 1e-4 and 1e-3 of the size.
 #include <chrono>
 #include <cstdio>

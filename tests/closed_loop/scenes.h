@@ -1,5 +1,5 @@
 #pragma once
-// Drawings whose rules a person would name at once: the paper's figures and common ornaments (ANALYZER section 13), and the
+// Drawings whose rules a person would name at once: the paper's figures and common ornaments (docs/analysis.md), and the
 // family of scenes that the benchmarks run on (section 0).
 
 #include <cstdint>
