@@ -54,22 +54,42 @@ std::vector<double> flat_bits(const Instancing& instancing, double diagonal) {
     return bits;
 }
 
-double number_bits(double value, double scale_of_values) {
-    // Natural values are short, as a person reads them.
-    const double magnitude = std::abs(value);
-    if (magnitude == std::round(magnitude) && magnitude <= 12) return 4;
-    if (std::abs(magnitude / 15 - std::round(magnitude / 15)) < 1e-12 && magnitude <= 360) return 5;
-    return scale_of_values;
+bool is_natural_angle(double in_degrees) {
+    return std::abs(in_degrees / 15 - std::round(in_degrees / 15)) < 1e-12 && std::abs(in_degrees) <= 360;
 }
 
-double module_bits(const ModuleTemplate& module, double symbols, double length_bits) {
-    double bits = std::log2(symbols);
+/// Natural values are short, as a person reads them; any other costs what its kind costs at the precision.
+double number_bits(double value, double otherwise) {
+    const double magnitude = std::abs(value);
+    if (magnitude == std::round(magnitude) && magnitude <= 12) return 4;
+    if (is_natural_angle(magnitude)) return 5;
+    return otherwise;
+}
+
+/// What a production says beyond its form: brackets, the condition and the call of itself are given with its kind.
+double module_bits(const ModuleTemplate& module, const std::string& own_symbol, double symbols, double length_bits) {
+    const double angle_bits = std::log2(two_pi / precision);
+    constexpr double which_command = 2.5;
+    if (module.symbol == "[" || module.symbol == "]" || module.symbol == own_symbol) return 0;
+    const bool turns = module.symbol == "+" || module.symbol == "-";
+    double bits = find_turtle_command(module.symbol) != nullptr ? which_command : std::log2(symbols);
     for (const Expression& argument : module.arguments) {
         for (const Expression::Node& node : argument.postfix) {
-            bits += node.op == Expression::Op::number ? number_bits(node.number, length_bits) : 2;
+            const bool number = node.op == Expression::Op::number;
+            bits += number ? number_bits(node.number, turns ? angle_bits : length_bits) : 2;
         }
     }
     return bits;
+}
+
+/// A group in the axiom: two coordinates, angle, scale, its module and count.
+double group_bits(const Similarity& turtle, double symbols, double length_bits) {
+    constexpr double count_bits = 4, short_angle = 3, short_scale = 1, other_scale = 10;
+    const double angle = degrees(arg(turtle.linear));
+    const bool even = std::abs(scale_of(turtle) - 1) < precision;
+    const bool natural = std::abs(angle / 15 - std::round(angle / 15)) * radians(15) < precision;
+    return 2 * length_bits + (natural ? short_angle : std::log2(two_pi / precision)) + (even ? short_scale : other_scale) +
+           std::log2(symbols) + count_bits;
 }
 
 }  // namespace
@@ -90,17 +110,19 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
     const double symbols = static_cast<double>(turtle_commands().size() + final_grammar.terminals.size()) +
                            static_cast<double>(final_grammar.productions.size());
 
-    // Axiom: single elements cost what they cost in the drawing, groups a place, an angle, a scale and their module.
-    const double group_pose_bits = 2 * length_bits + std::log2(two_pi / precision);
+    // Axiom: single elements cost what they cost in the drawing.
     for (const int root : ordered.roots) {
         const Item& item = ordered.rules.items[static_cast<std::size_t>(root)];
         const Part& part = ordered.rules.parts[static_cast<std::size_t>(item.part)];
+        const Similarity turtle = item.pose * written.anchor_of_part[static_cast<std::size_t>(item.part)];
         bits.grammar +=
-            part.look >= 0 ? flat[static_cast<std::size_t>(part.look)] : group_pose_bits + std::log2(symbols) + 4;
+            part.look >= 0 ? flat[static_cast<std::size_t>(part.look)] : group_bits(turtle, symbols, length_bits);
     }
     for (const Production& production : final_grammar.productions) {
         bits.grammar += std::log2(symbols);
-        for (const ModuleTemplate& module : production.successor) bits.grammar += module_bits(module, symbols, length_bits);
+        for (const ModuleTemplate& module : production.successor) {
+            bits.grammar += module_bits(module, production.symbol, symbols, length_bits);
+        }
     }
     bits.grammar += static_cast<double>(final_grammar.constants.size()) * 6;
     const double leaf_bits = std::log2(std::max<double>(2, static_cast<double>(instancing.instances.size())));

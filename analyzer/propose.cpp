@@ -60,6 +60,45 @@ void add_hypotheses(std::vector<Hypothesis>& hypotheses, const Hypothesis& patte
 
 double still_of(const SearchState& state) { return state.tolerance.size; }
 
+/// A clustered step stands for all step * t, t a symmetry of the part; a sequence under each of them runs another way. Those
+/// that pairs of votes in a row suggest by their turn, the commonest first.
+std::vector<Similarity> continuing_steps(const SearchState& state, const Part& part, const StepCluster& cluster) {
+    constexpr std::size_t most_variants = 3;
+    if (part.symmetry.elements.size() < 2 || abs(cluster.step.translation) <= still_of(state)) return {cluster.step};
+    std::map<int, std::vector<int>> targets;
+    for (const StepVote& vote : cluster.votes) targets[vote.source].push_back(vote.target);
+    struct Variant {
+        Similarity step;
+        int pairs = 0;
+    };
+    std::vector<Variant> variants;
+    for (const Similarity& t : part.symmetry.elements) {
+        const Similarity step = cluster.step * t;
+        if (!step.mirrored) variants.push_back({step, 0});
+    }
+    std::ranges::stable_sort(variants, {}, [](const Variant& v) { return std::abs(arg(v.step.linear)); });
+    const double turn = state.tolerance.turn(part.radius) + state.tolerance.shift(1, 0);
+    for (const StepVote& vote : cluster.votes) {
+        const Point way = state.item(vote.target).pose.translation - state.item(vote.source).pose.translation;
+        const auto onward = targets.find(vote.target);
+        if (onward == targets.end()) continue;
+        for (const int next : onward->second) {
+            if (next == vote.source) continue;
+            const Complex ratio = (state.item(next).pose.translation - state.item(vote.target).pose.translation) / way;
+            for (Variant& variant : variants) {
+                if (abs(ratio / abs(ratio) - variant.step.linear / abs(variant.step.linear)) <= turn) ++variant.pairs;
+            }
+        }
+    }
+    std::ranges::stable_sort(variants, [](const Variant& v, const Variant& w) { return v.pairs > w.pairs; });
+    std::vector<Similarity> steps;
+    for (const Variant& variant : variants) {
+        if (variant.pairs > 0 && steps.size() < most_variants) steps.push_back(variant.step);
+    }
+    if (steps.empty()) steps.push_back(variants.empty() ? cluster.step : variants.front().step);
+    return steps;
+}
+
 /// Constant steps between directed items, and concentric steps of any.
 void propose_constant_steps(const SearchState& state, int p, const std::vector<std::vector<int>>& neighbours,
                             std::vector<Hypothesis>& hypotheses) {
@@ -76,7 +115,14 @@ void propose_constant_steps(const SearchState& state, int p, const std::vector<s
         }
     }
     const std::size_t least = items.size() <= few_items ? 1 : 2;
-    add_hypotheses(hypotheses, {RuleKind::sequence, p, p}, votes.clusters(least, most_sequences), votes.size());
+    std::vector<StepCluster> clusters;
+    for (const StepCluster& cluster : votes.clusters(least, most_sequences)) {
+        for (const Similarity& step : continuing_steps(state, part, cluster)) {
+            clusters.push_back(cluster);
+            clusters.back().step = step;
+        }
+    }
+    add_hypotheses(hypotheses, {RuleKind::sequence, p, p}, clusters, votes.size());
 }
 
 /// Parts without direction: pairs (distance and size) and triples (turn as well).

@@ -30,6 +30,7 @@ class Writer {
 
     WrittenGrammar run() {
         name_symbols();
+        written_.anchor_of_part = anchors_.of_part;
         written_.grammar.canvas = scene_.viewport;
         written_.grammar.sized = scene_.sized;
         write_axiom();

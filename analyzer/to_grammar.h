@@ -16,6 +16,7 @@ struct WrittenGrammar {
     Grammar grammar;
     std::vector<int> element_of_leaf;         ///< scene element of each terminal in order of derivation
     std::vector<std::string> symbol_of_part;  ///< "" = not in use
+    std::vector<Similarity> anchor_of_part;   ///< turtle frame of a part's module -> part frame
     std::vector<Similarity> terminal_anchor;  ///< by look: terminal frame -> unit frame
 };
 
