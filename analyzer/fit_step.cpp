@@ -177,12 +177,16 @@ Rule with_natural_values(Rule rule, std::span<const Chain> chains, double radius
         rule = candidate;
     };
     if (rule.kind != RuleKind::ring) {
+        // What is left free makes up for what is made natural.
+        const bool linear = rule.kind == RuleKind::linear;
+        const std::vector<int> all_but_scale = linear ? std::vector{0, 1, 3, 4, 5} : std::vector{0, 1, 3};
+        const std::vector<int> places = linear ? std::vector{0, 1, 4, 5} : std::vector{0, 1};
         Rule even = rule;
         even.step.linear = even.step.linear / scale_of(even.step);
-        adopt(even);
+        adopt(gauss_newton(even, some, radius, all_but_scale));
         Rule straight = rule;
         straight.step.linear = polar(scale_of(rule.step), natural_angle(arg(rule.step.linear)));
-        adopt(straight);
+        adopt(gauss_newton(straight, some, radius, places));
     }
     // The direction of the advance, against the element's heading or, for a steady turn, against the bisector.
     const double length = abs(rule.step.translation);
