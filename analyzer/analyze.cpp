@@ -122,11 +122,14 @@ std::vector<Description> describe_all(const Drawing& drawing, const std::vector<
         const SearchState start =
             starting_state(drawing.instancing, {tolerance, tolerance, PoseTolerance{}.per_distance}, drawing.diagonal);
         Description upward = describe(drawing, generate_rules(start, search, told).rules, tolerance);
-        // From the top: a rotation of the whole drawing, kept where it is shorter.
+        // From the top: a rotation of the whole drawing.
         const auto rotation = find_scene_rotation(start);
         if (!rotation) return upward;
         Description downward = describe(drawing, generate_sector_rules(start, *rotation, search, told).rules, tolerance);
-        return reading_cost(downward) < reading_cost(upward) ? downward : upward;
+        // A lattice turns about its middle too: rows and columns are what a person sees unless the rotation says clearly
+        // less.
+        constexpr double clearly = 0.9;
+        return reading_cost(downward) < clearly * reading_cost(upward) ? downward : upward;
     };
     const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     const auto together = static_cast<std::size_t>(threads > 0 ? threads : available);
