@@ -28,8 +28,8 @@ struct LevelText {
 class PartSplitter {
   public:
     PartSplitter(const std::string& text, const SvgSourceOptions& options) : text_(text), options_(options) {
-        placeholder_ = "part";
-        while (text.find(placeholder_) != std::string::npos) placeholder_ += '_';
+        stand_in_ = "part";
+        while (text.find(stand_in_) != std::string::npos) stand_in_ += '_';
     }
 
     std::vector<std::string> split() {
@@ -45,12 +45,12 @@ class PartSplitter {
         std::vector<std::string> texts;
         for (std::size_t i = 0; i < levels_.size(); ++i) {
             texts.push_back(i == 0 ? std::move(levels_[i].text)
-                                   : "<" + placeholder_ + ">" + levels_[i].text + "</" + placeholder_ + ">");
+                                   : "<" + stand_in_ + ">" + levels_[i].text + "</" + stand_in_ + ">");
         }
         return texts;
     }
 
-    const std::string& placeholder() const { return placeholder_; }
+    const std::string& stand_in() const { return stand_in_; }
 
   private:
     struct OpenElement {
@@ -187,7 +187,7 @@ class PartSplitter {
     }
 
     void enter_part() {
-        put("<" + placeholder_ + ">");
+        put("<" + stand_in_ + ">");
         ++level_;
         if (level_ == levels_.size()) levels_.push_back({});
         catch_up();
@@ -196,12 +196,12 @@ class PartSplitter {
     void leave_part() {
         --level_;
         catch_up();
-        put("</" + placeholder_ + ">");
+        put("</" + stand_in_ + ">");
     }
 
     const std::string& text_;
     const SvgSourceOptions& options_;
-    std::string placeholder_;
+    std::string stand_in_;
     std::vector<LevelText> levels_;
     std::size_t level_ = 0;
     std::size_t at_ = 0;
@@ -218,22 +218,21 @@ std::unique_ptr<tinyxml2::XMLDocument> parse_part(const std::string& text, const
                      std::string("this is not well-formed XML (") + document->ErrorName() + ")");
 }
 
-void collect_placeholders(tinyxml2::XMLElement* element, const std::string& name,
-                          std::vector<tinyxml2::XMLElement*>& found) {
+void collect_stand_ins(tinyxml2::XMLElement* element, const std::string& name, std::vector<tinyxml2::XMLElement*>& found) {
     for (; element; element = element->NextSiblingElement()) {
         if (name == element->Name()) {
             found.push_back(element);
         } else {
-            collect_placeholders(element->FirstChildElement(), name, found);
+            collect_stand_ins(element->FirstChildElement(), name, found);
         }
     }
 }
 
 // Puts the parts of the deeper document into the places that stand for them, both in document order.
 void put_back(tinyxml2::XMLDocument& document, const tinyxml2::XMLDocument& deeper, tinyxml2::XMLElement* first,
-              const std::string& placeholder) {
+              const std::string& stand_in) {
     std::vector<tinyxml2::XMLElement*> places;
-    collect_placeholders(first, placeholder, places);
+    collect_stand_ins(first, stand_in, places);
     const tinyxml2::XMLElement* part = deeper.RootElement()->FirstChildElement();
     for (tinyxml2::XMLElement* place : places) {
         assert(part);
@@ -252,9 +251,9 @@ std::unique_ptr<tinyxml2::XMLDocument> parse_svg_document(const std::string& tex
     std::vector<std::unique_ptr<tinyxml2::XMLDocument>> documents;
     for (const std::string& level : levels) documents.push_back(parse_part(level, options));
     for (std::size_t i = documents.size() - 1; i > 0; --i) {
-        // Below the first level the root is the holder of the parts, named as the placeholders are.
+        // Below the first level the root is the holder of the parts, named as the stand-ins are.
         tinyxml2::XMLElement* root = documents[i - 1]->RootElement();
-        put_back(*documents[i - 1], *documents[i], i == 1 ? root : root->FirstChildElement(), splitter.placeholder());
+        put_back(*documents[i - 1], *documents[i], i == 1 ? root : root->FirstChildElement(), splitter.stand_in());
     }
     return std::move(documents.front());
 }
