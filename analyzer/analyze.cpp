@@ -1,21 +1,24 @@
 #include "analyzer/analyze.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <future>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "analyzer/generate_rules.h"
 #include "analyzer/grammar_bits.h"
 #include "analyzer/inline_groups.h"
+#include "analyzer/openings.h"
 #include "analyzer/order_rules.h"
 #include "analyzer/overlaps.h"
 #include "analyzer/paint_order.h"
 #include "analyzer/report.h"
 #include "analyzer/residuals.h"
-#include "analyzer/scene_rotation.h"
-#include "analyzer/sector_rules.h"
 #include "analyzer/to_grammar.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
@@ -115,35 +118,62 @@ double reading_cost(const Description& description) {
     return description.bits.grammar + production_bits * static_cast<double>(description.exact.productions.size());
 }
 
-/// One description for each tolerance, in their order, on as many threads as there may be.
+/// The best description so far at one tolerance.
+struct Reading {
+    std::optional<Description> description;
+    double cost = 0;  ///< reading cost, raised for an opening that must convince
+    std::size_t opening = 0;
+
+    /// The same whatever the order of the calls.
+    void offer(Description offered, double offered_cost, std::size_t offered_opening) {
+        if (description && std::pair{cost, opening} <= std::pair{offered_cost, offered_opening}) return;
+        description = std::move(offered);
+        cost = offered_cost;
+        opening = offered_opening;
+    }
+};
+
+/// Calls `task(k, progress)` for k = 0 .. count - 1 on as many threads as there may be, the calling one among them: only
+/// this one tells of its progress.
+void run_tasks(std::size_t count, int threads, const Progress& progress,
+               const std::function<void(std::size_t, const Progress&)>& task) {
+    const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const auto together = std::min(count, static_cast<std::size_t>(threads > 0 ? threads : available));
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&](const Progress& told) {
+        for (std::size_t k = next++; k < count; k = next++) task(k, told);
+    };
+    std::vector<std::future<void>> others;
+    for (std::size_t k = 1; k < together; ++k) {
+        others.push_back(std::async(std::launch::async, [&] { work({}); }));
+    }
+    work(progress);
+    for (auto& other : others) other.get();
+}
+
+/// For each tolerance, in their order, the best description of all openings.
 std::vector<Description> describe_all(const Drawing& drawing, const std::vector<double>& tolerances,
                                       const SearchOptions& search, int threads, const Progress& progress) {
-    const auto describe_at = [&](double tolerance, const Progress& told) {
-        const SearchState start =
-            starting_state(drawing.instancing, {tolerance, tolerance, PoseTolerance{}.per_distance}, drawing.diagonal);
-        Description upward = describe(drawing, generate_rules(start, search, told).rules, tolerance);
-        // From the top: a rotation of the whole drawing.
-        const auto rotation = find_scene_rotation(start);
-        if (!rotation) return upward;
-        Description downward = describe(drawing, generate_sector_rules(start, *rotation, search, told).rules, tolerance);
-        // A lattice turns about its middle too: rows and columns are what a person sees unless the rotation says clearly
-        // less.
-        constexpr double clearly = 0.9;
-        return reading_cost(downward) < clearly * reading_cost(upward) ? downward : upward;
-    };
-    const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const auto together = static_cast<std::size_t>(threads > 0 ? threads : available);
+    std::vector<SearchState> starts(tolerances.size());
+    run_tasks(tolerances.size(), threads, progress, [&](std::size_t t, const Progress&) {
+        const PoseTolerance tolerance{tolerances[t], tolerances[t], PoseTolerance{}.per_distance};
+        starts[t] = starting_state(drawing.instancing, tolerance, drawing.diagonal);
+    });
+    std::vector<Reading> readings(tolerances.size());
+    std::mutex offering;
+    // All tolerances of an opening before the next opening: the search from below takes longest and comes first.
+    run_tasks(tolerances.size() * openings().size(), threads, progress, [&](std::size_t k, const Progress& told) {
+        const std::size_t t = k % tolerances.size(), o = k / tolerances.size();
+        std::optional<SearchState> opened = openings()[o].open(starts[t], search, told);
+        if (!opened) return;
+        Description description =
+            describe(drawing, generate_rules(std::move(*opened), search, told).rules, tolerances[t]);
+        const double cost = reading_cost(description) / openings()[o].convincing_share;
+        const std::lock_guard lock(offering);
+        readings[t].offer(std::move(description), cost, o);
+    });
     std::vector<Description> descriptions;
-    for (std::size_t begin = 0; begin < tolerances.size(); begin += together) {
-        // The calling thread takes the first of each batch and is the only one that tells of its progress.
-        const std::size_t end = std::min(tolerances.size(), begin + together);
-        std::vector<std::future<Description>> others;
-        for (std::size_t k = begin + 1; k < end; ++k) {
-            others.push_back(std::async(std::launch::async, describe_at, tolerances[k], Progress{}));
-        }
-        descriptions.push_back(describe_at(tolerances[begin], progress));
-        for (auto& other : others) descriptions.push_back(other.get());
-    }
+    for (Reading& reading : readings) descriptions.push_back(std::move(*reading.description));
     return descriptions;
 }
 

@@ -152,8 +152,8 @@ void add_ring(SearchState& state, int sector, const SceneRotation& rotation, con
 
 }  // namespace
 
-SearchState generate_sector_rules(SearchState state, const SceneRotation& rotation, const SearchOptions& options,
-                                  const Progress& progress) {
+SearchState open_with_sectors(SearchState state, const SceneRotation& rotation, const SearchOptions& options,
+                              const Progress& progress) {
     const std::vector<std::vector<int>> orbits = cut_into_sectors(state, rotation);
     // What the rotation does not move.
     std::vector<char> moved(state.rules.items.size(), 0);
@@ -172,14 +172,13 @@ SearchState generate_sector_rules(SearchState state, const SceneRotation& rotati
         if (!listed) verbatim.push_back(i);
         return !listed;
     });
-    // One sector, then the ring of it, then the rest.
+    // One sector, then the ring of it; the rest is left.
     keep_alive(state, sector);
     state = generate_rules(std::move(state), options, progress);
     const std::vector<int> roots = root_items(state.rules);
     add_ring(state, sector_item(state, roots), rotation, orbits);
     const int ring = static_cast<int>(state.rules.items.size()) - 1;
     keep_alive(state, still);
-    state = generate_rules(std::move(state), options, progress);
     for (const int item : verbatim) item_at(state, item).alive = true;
     item_at(state, ring).alive = true;
     return state;

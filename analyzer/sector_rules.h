@@ -7,8 +7,9 @@
 
 namespace rinceau {
 
-/// Rules of one sector, a ring of the sector, and rules of what the rotation does not move. `state` is a starting_state.
-SearchState generate_sector_rules(SearchState state, const SceneRotation& rotation, const SearchOptions& options,
-                                  const Progress& progress = {});
+/// An opening (openings.h): rules of one sector and a ring of the sector; what the rotation does not move is left to the
+/// search. `state` is a starting_state.
+SearchState open_with_sectors(SearchState state, const SceneRotation& rotation, const SearchOptions& options,
+                              const Progress& progress = {});
 
 }  // namespace rinceau
