@@ -53,7 +53,9 @@ void spread_scale(const RuleSet& rules, int item, const Anchors& anchors, std::v
     const Item& at = rules.items[static_cast<std::size_t>(item)];
     const auto part = static_cast<std::size_t>(at.part);
     largest[part] = std::max(largest[part], scale_of(at.pose) * scale_of(anchors.of_part[part]));
-    for (const int member : at.members) spread_scale(rules, member, anchors, largest);
+    for (const int member : at.members) {
+        if (member >= 0) spread_scale(rules, member, anchors, largest);
+    }
 }
 
 }  // namespace

@@ -133,6 +133,9 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
             if (module.symbol == "z") bits.grammar += 6;
         }
     }
+    for (const Exception& exception : written.grammar.exceptions) {  // what stands in for something else, and where
+        for (const ModuleTemplate& module : exception.successor) bits.grammar += module_bits(module, "", symbols, length_bits);
+    }
     std::vector<char> alone(instancing.instances.size(), 0);  // written flat: nothing is left over
     for (const int root : ordered.roots) {
         const int element = ordered.rules.items[static_cast<std::size_t>(root)].element;

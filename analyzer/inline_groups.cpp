@@ -12,6 +12,19 @@ bool is_group(const RuleSet& rules, int part) {
     return rule >= 0 && rules.rules[static_cast<std::size_t>(rule)].kind == RuleKind::group;
 }
 
+/// Parts that stand in for others, or that something stands in for, or that are missing somewhere: exceptions name them.
+std::set<int> parts_in_exceptions(const RuleSet& rules) {
+    std::set<int> named;
+    for (const Item& item : rules.items) {
+        for (std::size_t k = 0; k < item.members.size(); ++k) {
+            if (is_regular(rules, item, k)) continue;
+            named.insert(rules.parts[static_cast<std::size_t>(item.part)].children[k].part);
+            if (item.members[k] >= 0) named.insert(rules.items[static_cast<std::size_t>(item.members[k])].part);
+        }
+    }
+    return named;
+}
+
 /// Parts that still have items, directly or below.
 std::vector<char> parts_in_use(const RuleSet& rules) {
     std::vector<char> used(rules.parts.size(), 0);
@@ -21,6 +34,10 @@ std::vector<char> parts_in_use(const RuleSet& rules) {
             used[static_cast<std::size_t>(item.part)] = 1;
             open.push_back(item.part);
         }
+    }
+    for (const int part : parts_in_exceptions(rules)) {
+        if (!used[static_cast<std::size_t>(part)]) open.push_back(part);
+        used[static_cast<std::size_t>(part)] = 1;
     }
     while (!open.empty()) {
         const int part = open.back();
@@ -37,7 +54,7 @@ std::vector<char> parts_in_use(const RuleSet& rules) {
 /// Groups that no root and only one place of one other group holds.
 std::set<int> parts_to_splice(const RuleSet& rules) {
     std::map<int, int> places;
-    std::set<int> kept;
+    std::set<int> kept = parts_in_exceptions(rules);
     const std::vector<char> used = parts_in_use(rules);
     for (const Item& item : rules.items) {
         if (item.alive) kept.insert(item.part);
@@ -78,6 +95,10 @@ RuleSet with_inlined_groups(RuleSet rules) {
     for (Item& item : rules.items) {
         std::vector<int> members;
         for (const int member : item.members) {
+            if (member < 0) {  // of a part that is kept
+                members.push_back(member);
+                continue;
+            }
             const Item& below = rules.items[static_cast<std::size_t>(member)];
             if (spliced.contains(below.part)) {
                 members.insert(members.end(), below.members.begin(), below.members.end());

@@ -23,6 +23,7 @@ void collect_leaves(const RuleSet& rules, int item, const Similarity& derived, s
     const Part& part = rules.parts[static_cast<std::size_t>(at.part)];
     if (at.members.empty()) leaves.push_back({derived, at.pose, part.symmetry.continuous});
     for (std::size_t k = 0; k < at.members.size(); ++k) {
+        if (!is_regular(rules, at, k)) continue;  // an exception puts it where it is drawn
         collect_leaves(rules, at.members[k], derived * part.children[k].pose, leaves);
     }
 }
@@ -59,6 +60,7 @@ Similarity natural_pose(const RuleSet& rules, int root, const Similarity& anchor
     const Similarity& pose = rules.items[static_cast<std::size_t>(root)].pose;
     std::vector<Leaf> leaves;
     collect_leaves(rules, root, {}, leaves);
+    if (leaves.empty()) return pose;
     const double bound = std::max(allowed, worst(leaves, pose));
     const Complex turtle = (pose * anchor).linear;
     const double scale = abs(turtle), angle = arg(turtle);

@@ -23,7 +23,7 @@ std::vector<Place> places_of(const RuleSet& rules) {
     for (std::size_t i = 0; i < rules.items.size(); ++i) {
         const std::vector<int>& members = rules.items[i].members;
         for (std::size_t k = 0; k < members.size(); ++k) {
-            places[static_cast<std::size_t>(members[k])] = {static_cast<int>(i), static_cast<int>(k)};
+            if (members[k] >= 0) places[static_cast<std::size_t>(members[k])] = {static_cast<int>(i), static_cast<int>(k)};
         }
     }
     return places;
@@ -79,6 +79,7 @@ void add_drawing_order(const RuleSet& rules, Votes& votes) {
         if (item.members.size() < 2) continue;
         auto& part_votes = votes.by_part[item.part];
         for (std::size_t k = 0; k + 1 < item.members.size(); ++k) {
+            if (item.members[k] < 0 || item.members[k + 1] < 0) continue;
             const bool rising = rules.items[static_cast<std::size_t>(item.members[k])].first <
                                 rules.items[static_cast<std::size_t>(item.members[k + 1])].first;
             const int i = static_cast<int>(rising ? k : k + 1), j = static_cast<int>(rising ? k + 1 : k);

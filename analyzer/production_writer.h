@@ -62,6 +62,10 @@ WrittenRule write_ring(const WritingContext& context, int part);
 /// P(m) : m > 0 -> [A] T(t0 + tDelta m) P(m-1)                     (r1 with eq. 4)
 WrittenRule write_linear(const WritingContext& context, int part);
 
+/// What is missing below a root, and what stands in for something: the root is the axiom's symbol `number`, from 1, and its
+/// part stands at `pose` in the scene.
+std::vector<Exception> write_exceptions(const WritingContext& context, int root, int number, const Similarity& pose);
+
 /// The productions of a part's rule, by its kind.
 WrittenRule write_rule(const WritingContext& context, int part);
 

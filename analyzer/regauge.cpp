@@ -26,12 +26,32 @@ Similarity nearest_pose(const Part& part, const Similarity& pose, const Similari
 
 namespace {
 
-/// How far an item is from standing where `wanted` is: place, size, and angle up to its symmetry.
-double mismatch(const RuleSet& rules, int item, const Similarity& wanted) {
-    const Item& at = rules.items[static_cast<std::size_t>(item)];
-    const Similarity nearest = nearest_pose(rules.parts[static_cast<std::size_t>(at.part)], at.pose, wanted);
+/// How far a part at `pose` is from standing where `wanted` is: place, size, and angle up to its symmetry.
+double mismatch(const Part& part, const Similarity& pose, const Similarity& wanted) {
+    const Similarity nearest = nearest_pose(part, pose, wanted);
     const double angle = nearest.mirrored == wanted.mirrored ? abs(nearest.linear - wanted.linear) : 4 * scale_of(wanted);
     return abs(nearest.translation - wanted.translation) + angle;
+}
+
+/// A place of a member, and the pose of what belongs there: the member's own, or where the part has it.
+struct Slot {
+    int member = -1;
+    int part = 0;
+    Similarity pose;
+    bool regular = true;
+};
+
+std::vector<Slot> slots_of(const RuleSet& rules, const Item& item) {
+    const std::vector<Child>& children = rules.parts[static_cast<std::size_t>(item.part)].children;
+    std::vector<Slot> slots;
+    slots.reserve(item.members.size());
+    for (std::size_t k = 0; k < item.members.size(); ++k) {
+        const bool regular = is_regular(rules, item, k);
+        const int member = item.members[k];
+        slots.push_back({member, children[k].part,
+                         regular ? rules.items[static_cast<std::size_t>(member)].pose : item.pose * children[k].pose, regular});
+    }
+    return slots;
 }
 
 }  // namespace
@@ -39,25 +59,28 @@ double mismatch(const RuleSet& rules, int item, const Similarity& wanted) {
 void regauge(RuleSet& rules, int item, const Similarity& frame) {
     Item& at = rules.items[static_cast<std::size_t>(item)];
     if (frame == at.pose) return;
+    std::vector<Slot> free = slots_of(rules, at);
     at.pose = frame;
+    if (free.empty()) return;
     const std::vector<Child>& children = rules.parts[static_cast<std::size_t>(at.part)].children;
-    std::vector<int> free = at.members;
     std::vector<int> ordered;
     for (const Child& child : children) {
         const Similarity wanted = frame * child.pose;
         std::size_t best = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < free.size(); ++k) {
-            if (rules.items[static_cast<std::size_t>(free[k])].part != child.part) continue;
-            const double error = mismatch(rules, free[k], wanted);
+            if (free[k].part != child.part) continue;
+            const double error = mismatch(rules.parts[static_cast<std::size_t>(child.part)], free[k].pose, wanted);
             if (error < least) {
                 least = error;
                 best = k;
             }
         }
-        const int member = free[best];
+        const Slot taken = free[best];
+        const int member = taken.member;
         free.erase(free.begin() + static_cast<std::ptrdiff_t>(best));
         ordered.push_back(member);
+        if (!taken.regular) continue;
         const Item& below = rules.items[static_cast<std::size_t>(member)];
         regauge(rules, member, nearest_pose(rules.parts[static_cast<std::size_t>(below.part)], below.pose, wanted));
     }

@@ -1,6 +1,7 @@
 #include "analyzer/report.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "analyzer/rule_comment.h"
@@ -66,7 +67,7 @@ void fill_report(AnalysisReport& report, const OrderedRules& ordered, const Writ
     while (!open.empty()) {
         const Item& item = rules.items[static_cast<std::size_t>(open.back())];
         open.pop_back();
-        open.insert(open.end(), item.members.begin(), item.members.end());
+        std::ranges::copy_if(item.members, std::back_inserter(open), [](int member) { return member >= 0; });
         const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
         if (part.rule < 0) continue;
         const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];

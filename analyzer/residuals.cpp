@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "analyzer/module_writer.h"
 #include "lsystem/interpret.h"
@@ -55,6 +56,10 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
     InterpretOptions options;
     options.addresses = true;
     const std::vector<Placement> placements = interpret(written.grammar, options);
+    std::map<std::vector<int>, std::size_t> exception_at;  // of what stands in for something else
+    for (std::size_t e = 0; e < written.grammar.exceptions.size(); ++e) {
+        if (!written.grammar.exceptions[e].successor.empty()) exception_at[written.grammar.exceptions[e].address] = e;
+    }
     std::vector<double> reaches;
     for (const Look& look : instancing.looks) reaches.push_back(look.verbatim.empty() ? outline_reach(look) : 1);
     result.deviation.resize(placements.size());
@@ -68,17 +73,25 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
         const Nearest nearest = nearest_gauge(instancing.looks[at], reaches[at], instance.pose, anchor, placement.pose);
         result.deviation[leaf] = nearest.deviation;
         if (nearest.deviation <= tolerance) continue;
-        Exception exception;
-        exception.address = placement.address;
+        std::vector<ModuleTemplate> move;
         const double size = scale_of(placement.pose);
         const double reach = reaches[at] * scale_of(instance.pose);
         const double fine = 0.1 * tolerance;
-        append_move(exception.successor, inverse(placement.pose) * nearest.pose,
+        append_move(move, inverse(placement.pose) * nearest.pose,
                     {fine / size, fine / std::max(reach, fine), fine / std::max(reach, fine), fine / std::max(reach, fine)});
+        ++result.exceptions;
+        const auto stands_in = exception_at.find(placement.address);
+        if (stands_in != exception_at.end()) {  // its only symbol stands last
+            std::vector<ModuleTemplate>& successor = result.grammar.exceptions[stands_in->second].successor;
+            successor.insert(successor.end() - 1, move.begin(), move.end());
+            continue;
+        }
+        Exception exception;
+        exception.address = placement.address;
+        exception.successor = std::move(move);
         exception.successor.push_back(
             command(written.grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol));
         result.grammar.exceptions.push_back(std::move(exception));
-        ++result.exceptions;
     }
     return result;
 }

@@ -23,6 +23,13 @@ std::vector<Similarity> repetition_poses(const Rule& rule, int count) {
     return poses;
 }
 
+bool is_regular(const RuleSet& rules, const Item& item, std::size_t k) {
+    const int member = item.members[k];
+    if (member < 0) return false;
+    const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
+    return rules.items[static_cast<std::size_t>(member)].part == part.children[k].part;
+}
+
 std::vector<int> root_items(const RuleSet& rules) {
     std::vector<int> roots;
     for (std::size_t i = 0; i < rules.items.size(); ++i) {
@@ -35,7 +42,9 @@ std::vector<int> root_items(const RuleSet& rules) {
 static void collect_elements(const RuleSet& rules, int item, std::vector<int>& elements) {
     const Item& at = rules.items[static_cast<std::size_t>(item)];
     if (at.element >= 0) elements.push_back(at.element);
-    for (const int member : at.members) collect_elements(rules, member, elements);
+    for (const int member : at.members) {
+        if (member >= 0) collect_elements(rules, member, elements);
+    }
 }
 
 std::vector<int> elements_below(const RuleSet& rules, int item) {

@@ -3,6 +3,7 @@
 // A part is a symbol with a frame of its own: a look of the drawing, or what a rule makes with a given count. An item is
 // one place where a part stands. Rules turn items into members of new items until few are left: these form the axiom.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -46,7 +47,9 @@ struct Part {
 struct Item {
     int part = 0;
     Similarity pose;           ///< part frame -> scene
-    std::vector<int> members;  ///< items, in the order of the part's children
+    /// Items, in the order of the part's children; -1: this child is missing; an item of another part: it stands in for the
+    /// child, wherever it lies (the grammar says both in an exception).
+    std::vector<int> members;
     int element = -1;          ///< scene element of a look
     int first = 0;             ///< lowest scene element below, by paint order
     bool alive = true;         ///< not yet a member of another item
@@ -64,10 +67,13 @@ std::vector<Similarity> repetition_poses(const Rule& rule, int count);
 /// The step of a linear rule from repetition k to k + 1, k from 0.
 Similarity linear_step(const Rule& rule, int k);
 
+/// Is child k of the item's part where the part has it? Not if it is missing or something else stands in for it.
+bool is_regular(const RuleSet& rules, const Item& item, std::size_t k);
+
 /// The items that the axiom lists: alive, in order of their lowest element.
 std::vector<int> root_items(const RuleSet& rules);
 
-/// Elements below an item, in order of derivation.
+/// Elements below an item, in order of derivation; none for what is missing.
 std::vector<int> elements_below(const RuleSet& rules, int item);
 
 }  // namespace rinceau

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "analyzer/group_frame.h"
@@ -74,8 +75,9 @@ int add_item(SearchState& state, int part, const Similarity& pose, std::vector<i
     Item item;
     item.part = part;
     item.pose = pose;
-    item.first = state.item(members.front()).first;
+    item.first = std::numeric_limits<int>::max();
     for (const int member : members) {
+        if (member < 0) continue;
         item.first = std::min(item.first, state.item(member).first);
         item_at(state, member).alive = false;
     }
@@ -118,7 +120,7 @@ class Copier {
         }
         std::vector<int> members;
         const std::vector<int> below = state_.item(item).members;
-        for (const int member : below) members.push_back(copy(member, k, turn));
+        for (const int member : below) members.push_back(member < 0 ? member : copy(member, k, turn));
         const Similarity pose = turn * state_.item(item).pose;
         return add_item(state_, state_.item(item).part, pose, std::move(members));
     }

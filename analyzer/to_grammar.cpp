@@ -93,10 +93,14 @@ class Writer {
     WritingContext context() const { return {rules_, anchors_, written_.symbol_of_part, slack_}; }
 
     void write_axiom() {
+        int number = 0;  // of a root's symbol
         for (const int root : roots_) {
             const Item& item = rules_.items[static_cast<std::size_t>(root)];
             const Similarity pose = natural_pose(rules_, root, anchor(item.part), natural_slack * slack_);
             append_placed(context(), written_.grammar.axiom, pose * anchor(item.part), item.part, 1, roots_.size() > 1);
+            for (Exception& exception : write_exceptions(context(), root, ++number, pose)) {
+                written_.grammar.exceptions.push_back(std::move(exception));
+            }
         }
     }
 

@@ -13,7 +13,7 @@
 namespace rinceau {
 
 struct WrittenGrammar {
-    Grammar grammar;
+    Grammar grammar;                          ///< with exceptions for what is missing or replaced
     std::vector<int> element_of_leaf;         ///< scene element of each terminal in order of derivation
     std::vector<std::string> symbol_of_part;  ///< "" = not in use
     std::vector<Similarity> anchor_of_part;   ///< turtle frame of a part's module -> part frame

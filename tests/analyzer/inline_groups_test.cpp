@@ -78,6 +78,9 @@ TEST_CASE("what a sequence repeats is not taken apart") {
     RuleSet rules = pairs_of_pairs();
     rules.rules[1] = {.kind = RuleKind::sequence, .repeated = 3, .step = translate({5, 0})};
     rules.parts[4].children = {{3, {}}};
+    for (Item& item : rules.items) {
+        if (item.part == 4) item.members.erase(item.members.begin());
+    }
     const RuleSet after = with_inlined_groups(rules);
     CHECK(after.parts[4].children.size() == 1);
     CHECK(after.parts[4].children[0].part == 3);
