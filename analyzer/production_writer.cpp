@@ -74,7 +74,7 @@ Production counted_production(const WritingContext& context, int part) {
     Production production;
     production.symbol = context.symbol(part);
     production.comment =
-        rule_comment(context.rules, context.part(part), context.symbols, context.longest_count(context.part(part).rule));
+        rule_comment(context.rules, context.part(part), context.symbols, context.uses);
     production.parameters = {"m"};
     production.condition = parse_expression("m > 0");
     return production;

@@ -6,7 +6,7 @@
 
 #include "analyzer/anchors.h"
 #include "analyzer/module_writer.h"
-#include "analyzer/rule_model.h"
+#include "analyzer/rule_use.h"
 #include "lsystem/grammar.h"
 
 namespace rinceau {
@@ -17,6 +17,7 @@ struct WritingContext {
     const RuleSet& rules;
     const Anchors& anchors;
     const std::vector<std::string>& symbols;  ///< by part; "" = not in use
+    const std::vector<RuleUse>& uses;         ///< by rule
     double slack = 0;
 
     const Part& part(int p) const { return rules.parts[static_cast<std::size_t>(p)]; }
@@ -39,7 +40,7 @@ struct WrittenRule {
     std::vector<Constant> constants;
 };
 
-/// The module that draws a part where the turtle stands: A, P2, P1(4) or P3(P3_count).
+/// The module that draws a part where the turtle stands: A, Motif, Row(4) or Ring(Ring_count).
 ModuleTemplate module_of(const WritingContext& context, int part);
 
 /// Slack for one move at turtle scale `scale` that is followed by things reaching out to `reach` turtle units and that is

@@ -1,8 +1,10 @@
 #include "analyzer/rule_comment.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "lsystem/turtle_step.h"
+#include "analyzer/module_writer.h"
+#include "lsystem/number_text.h"
 
 namespace rinceau {
 
@@ -22,34 +24,190 @@ std::string kind_name(RuleKind kind) {
 
 namespace {
 
-std::string sequence_word(const Similarity& step) {
+/// What a person calls a sequence.
+enum class Figure { row, column, diagonal, grid, taper, zigzag, arc, spiral, fan, nest, pair, mirror_pair };
+
+const Rule& rule_of(const RuleSet& rules, const Part& part) { return rules.rules[static_cast<std::size_t>(part.rule)]; }
+const RuleUse& use_of(const Part& part, const std::vector<RuleUse>& uses) {
+    return uses[static_cast<std::size_t>(part.rule)];
+}
+
+/// From the first member to the second, in the scene, where the rule is used first.
+Point first_step(const RuleSet& rules, const RuleUse& use) {
+    const Item& item = rules.items[static_cast<std::size_t>(use.item)];
+    const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
+    if (part.children.size() < 2) return {};
+    return apply(item.pose, part.children[1].pose.translation) - apply(item.pose, part.children[0].pose.translation);
+}
+
+Figure direction_of(Point step) {
+    constexpr double level = radians(35);  // what rises less is level; 10 degrees are left for what is neither
+    const double rise = std::atan2(std::abs(step.y), std::abs(step.x));
+    return rise <= level ? Figure::row : rise >= pi / 2 - level ? Figure::column : Figure::diagonal;
+}
+
+struct Changes {
+    bool moves, turns, grows;
+};
+
+Changes changes_of(const Similarity& step) {
     constexpr double visible = 1e-4;  // radians, relative scale, sizes
-    const bool moves = abs(step.translation) > visible;
-    const bool turns = std::abs(arg(step.linear)) > visible;
-    const bool grows = std::abs(scale_of(step) - 1) > visible;
-    if (step.mirrored) return moves ? "alternating row" : "mirrored pair";
-    if (!moves) return grows ? "nest" : turns ? "fan" : "stack";
-    if (turns) return grows ? "spiral" : "arc";
-    return grows ? "tapering row" : "row";
+    return {abs(step.translation) > visible, std::abs(arg(step.linear)) > visible,
+            std::abs(scale_of(step) - 1) > visible};
+}
+
+bool is_straight(const Rule& rule) {
+    const Changes changes = changes_of(rule.step);
+    return rule.kind == RuleKind::sequence && changes.moves && !changes.turns && !changes.grows && !rule.step.mirrored;
+}
+
+/// A row of columns or a column of rows, neither being a grid itself.
+bool is_grid(const RuleSet& rules, const Rule& rule, const std::vector<RuleUse>& uses, Figure direction) {
+    const Part& below = rules.parts[static_cast<std::size_t>(rule.repeated)];
+    if (below.rule < 0 || !is_straight(rule_of(rules, below)) || use_of(below, uses).item < 0) return false;
+    const Part& inner = rules.parts[static_cast<std::size_t>(rule_of(rules, below).repeated)];
+    const Figure inward = direction_of(first_step(rules, use_of(below, uses)));
+    if (inward == direction) return false;
+    return !(inner.rule >= 0 && is_straight(rule_of(rules, inner)) && use_of(inner, uses).item >= 0 &&
+             direction_of(first_step(rules, use_of(inner, uses))) != inward);
+}
+
+/// Do the members turn about a point within themselves?
+bool turns_in_place(const RuleSet& rules, const Rule& rule) {
+    const Complex about = Complex{1, 0} - rule.step.linear;
+    const double to_pivot = abs(rule.step.translation) / std::max(abs(about), 1e-12);
+    return to_pivot <= rules.parts[static_cast<std::size_t>(rule.repeated)].radius;
+}
+
+Figure figure_of(const RuleSet& rules, const Part& part, const std::vector<RuleUse>& uses) {
+    const Rule& rule = rule_of(rules, part);
+    const RuleUse& use = use_of(part, uses);
+    const Changes changes = changes_of(rule.step);
+    if (rule.step.mirrored) return use.most == 2 ? Figure::mirror_pair : Figure::zigzag;
+    if (changes.turns && use.most == 2) return Figure::pair;
+    if (changes.turns && changes.grows) return Figure::spiral;
+    if (changes.turns) return turns_in_place(rules, rule) ? Figure::fan : Figure::arc;
+    if (!changes.moves) return Figure::nest;
+    if (changes.grows) return Figure::taper;
+    const Figure direction = direction_of(first_step(rules, use));
+    return is_grid(rules, rule, uses, direction) ? Figure::grid : direction;
+}
+
+struct FigureWords {
+    const char* name;
+    const char* phrase;
+};
+
+FigureWords words_of(Figure figure) {
+    switch (figure) {
+        case Figure::row:
+            return {"Row", "a row of "};
+        case Figure::column:
+            return {"Column", "a column of "};
+        case Figure::diagonal:
+            return {"Diagonal", "a slanting row of "};
+        case Figure::grid:
+            return {"Grid", "a grid of "};
+        case Figure::taper:
+            return {"Taper", "a tapering row of "};
+        case Figure::zigzag:
+            return {"Zigzag", "a zigzag of "};
+        case Figure::arc:
+            return {"Arc", "an arc of "};
+        case Figure::spiral:
+            return {"Spiral", "a spiral of "};
+        case Figure::fan:
+            return {"Fan", "a fan of "};
+        case Figure::nest:
+            return {"Nest", "a nest of "};
+        case Figure::pair:
+            return {"Pair", "a pair of "};
+        case Figure::mirror_pair:
+            return {"Pair", "a mirrored pair of "};
+    }
+    return {"", ""};
+}
+
+/// Three digits are enough for a reader.
+std::string short_number(double value) {
+    constexpr double reading = 2e-3;
+    return number_text(tidy(value, reading * std::abs(value)));
+}
+
+std::string count_text(const RuleUse& use) {
+    const std::string most = std::to_string(use.most);
+    return use.fewest < use.most ? std::to_string(use.fewest) + " to " + most : most;
+}
+
+/// ", 12 apart" or ", turning by 8.5 degrees, each 0.993 times as large": what is not plain from the figure's word.
+std::string sequence_numbers(const RuleSet& rules, const Part& part, const RuleUse& use, Figure figure) {
+    const Similarity& step = rule_of(rules, part).step;
+    const Changes changes = changes_of(step);
+    std::string text;
+    const bool straight = !changes.turns && !changes.grows && !step.mirrored;
+    if (straight && changes.moves && use.even) text += ", " + short_number(abs(first_step(rules, use))) + " apart";
+    if (figure == Figure::zigzag) text += ", every other one mirrored";
+    if (changes.turns && !step.mirrored && figure != Figure::pair) {
+        text += ", turning by " + short_number(std::abs(degrees(arg(step.linear)))) + " degrees";
+    }
+    if (changes.grows) text += ", each " + short_number(scale_of(step)) + " times as large";
+    return text;
+}
+
+/// "A, 2 B and C together"
+std::string group_comment(const Part& part, const std::vector<std::string>& names) {
+    std::vector<std::pair<std::string, int>> members;
+    for (const Child& child : part.children) {
+        const std::string& name = names[static_cast<std::size_t>(child.part)];
+        const auto known = std::ranges::find(members, name, &std::pair<std::string, int>::first);
+        known == members.end() ? members.emplace_back(name, 1).second : ++known->second;
+    }
+    std::string text;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        if (k > 0) text += k + 1 == members.size() ? " and " : ", ";
+        if (members[k].second > 1) text += std::to_string(members[k].second) + " ";
+        text += members[k].first;
+    }
+    return text + " together";
+}
+
+std::string ring_comment(const RuleSet& rules, const Part& part, const std::string& what, const RuleUse& use) {
+    const Item& item = rules.items[static_cast<std::size_t>(use.item)];
+    const std::string text = "a ring of " + count_text(use) + " " + what;
+    // The production begins at the first member of a group, not at its middle: one radius would not be the other.
+    const Child& first = part.children.front();
+    const double radius = abs(first.pose.translation);
+    const bool plain = rules.parts[static_cast<std::size_t>(first.part)].look >= 0 && radius > 1e-3 * part.radius;
+    return use.even && plain ? text + ", radius " + short_number(scale_of(item.pose) * radius) : text;
 }
 
 }  // namespace
 
-std::string rule_comment(const RuleSet& rules, const Part& part, const std::vector<std::string>& names, int longest) {
-    const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];
-    if (rule.kind == RuleKind::group) {
-        std::string text;
-        for (std::size_t k = 0; k < part.children.size(); ++k) {
-            if (k > 0) text += k + 1 == part.children.size() ? " and " : ", ";
-            text += names[static_cast<std::size_t>(part.children[k].part)];
-        }
-        return text + " together";
+std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<RuleUse>& uses) {
+    switch (rule_of(rules, part).kind) {
+        case RuleKind::ring:
+            return "Ring";
+        case RuleKind::linear:
+            return "Curve";
+        case RuleKind::group:
+            return part.children.size() == 2 ? "Pair" : "Motif";
+        case RuleKind::sequence:
+            break;
     }
+    return words_of(figure_of(rules, part, uses)).name;
+}
+
+std::string rule_comment(const RuleSet& rules, const Part& part, const std::vector<std::string>& names,
+                         const std::vector<RuleUse>& uses) {
+    const Rule& rule = rule_of(rules, part);
+    const RuleUse& use = use_of(part, uses);
+    if (rule.kind == RuleKind::group) return group_comment(part, names);
     const std::string& what = names[static_cast<std::size_t>(rule.repeated)];
-    const std::string count = std::to_string(longest);
-    if (rule.kind == RuleKind::ring) return "ring of " + count + " " + what;
-    if (rule.kind == RuleKind::linear) return "curve of " + count + " " + what + ", turning more and more";
-    return sequence_word(rule.step) + " of " + count + " " + what;
+    if (rule.kind == RuleKind::ring) return ring_comment(rules, part, what, use);
+    if (rule.kind == RuleKind::linear) return "a curve of " + count_text(use) + " " + what + ", turning more and more";
+    const Figure figure = figure_of(rules, part, uses);
+    const bool two = figure == Figure::pair || figure == Figure::mirror_pair;
+    return words_of(figure).phrase + (two ? "" : count_text(use) + " ") + what + sequence_numbers(rules, part, use, figure);
 }
 
 }  // namespace rinceau

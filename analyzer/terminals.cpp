@@ -2,16 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace rinceau {
-
-std::string terminal_name(int index) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOQRSTUVWXYZ";  // P is for productions
-    const auto count = static_cast<int>(letters.size());
-    const std::string letter(1, letters[static_cast<std::size_t>(index % count)]);
-    return index < count ? letter : letter + std::to_string(index / count);
-}
 
 namespace {
 
@@ -65,16 +57,16 @@ int style_number(Grammar& grammar, const Style& style) {
 }  // namespace
 
 void add_terminals(Grammar& grammar, const Instancing& instancing, const Scene& scene, const std::vector<int>& looks,
-                   const std::vector<Similarity>& anchors, double slack) {
+                   const std::vector<std::string>& names, const std::vector<Similarity>& anchors, double slack) {
     std::vector<int> first(instancing.looks.size(), -1);
     for (std::size_t e = instancing.instances.size(); e-- > 0;) {
         first[static_cast<std::size_t>(instancing.instances[e].look)] = static_cast<int>(e);
     }
-    for (std::size_t k = 0; k < looks.size(); ++k) {
-        const auto at = static_cast<std::size_t>(looks[k]);
+    for (const int look_number : looks) {
+        const auto at = static_cast<std::size_t>(look_number);
         const Look& look = instancing.looks[at];
         Terminal terminal;
-        terminal.symbol = terminal_name(static_cast<int>(k));
+        terminal.symbol = names[at];
         if (first[at] >= 0) terminal.id = scene.elements[static_cast<std::size_t>(first[at])].id;
         if (!look.verbatim.empty()) {
             terminal.verbatim = look.verbatim;

@@ -6,6 +6,7 @@
 #include "analyzer/anchors.h"
 #include "analyzer/natural_pose.h"
 #include "analyzer/production_writer.h"
+#include "analyzer/symbol_names.h"
 #include "analyzer/terminals.h"
 
 namespace rinceau {
@@ -22,10 +23,12 @@ class Writer {
           instancing_(instancing),
           scene_(scene),
           slack_(slack),
-          anchors_(find_anchors(ordered.rules, instancing, ordered.roots)) {}
+          anchors_(find_anchors(ordered.rules, instancing, ordered.roots)),
+          uses_(rule_uses(ordered.rules, ordered.roots)) {}
 
     WrittenGrammar run() {
-        name_symbols();
+        const std::vector<std::string> names = look_names(instancing_, scene_);
+        name_symbols(names);
         written_.anchor_of_part = anchors_.of_part;
         written_.grammar.canvas = scene_.viewport;
         written_.grammar.sized = scene_.sized;
@@ -39,7 +42,7 @@ class Writer {
             if (own_production || written_rules.insert(part.rule).second) write_production(static_cast<int>(p));
         }
         std::ranges::reverse(written_.grammar.constants);
-        add_terminals(written_.grammar, instancing_, scene_, looks_, terminal_anchors(), 0.3 * slack_);
+        add_terminals(written_.grammar, instancing_, scene_, looks_, names, terminal_anchors(), 0.3 * slack_);
         for (const int root : roots_) {
             const std::vector<int> below = elements_below(rules_, root);
             written_.element_of_leaf.insert(written_.element_of_leaf.end(), below.begin(), below.end());
@@ -51,35 +54,13 @@ class Writer {
     RuleKind kind_of(const Part& part) const { return rules_.rules[static_cast<std::size_t>(part.rule)].kind; }
     const Similarity& anchor(int part) const { return anchors_.of_part[static_cast<std::size_t>(part)]; }
 
-    /// Terminals in order of the drawing, productions from the bottom up; what no root needs gets no name.
-    void name_symbols() {
-        written_.symbol_of_part.assign(rules_.parts.size(), "");
-        std::vector<std::pair<int, int>> looks;  // (first element, look)
-        std::vector<int> first(instancing_.looks.size(), -1);
-        for (std::size_t e = instancing_.instances.size(); e-- > 0;) {
-            first[static_cast<std::size_t>(instancing_.instances[e].look)] = static_cast<int>(e);
-        }
-        std::map<int, std::string> production_names;
-        int productions = 0;
+    /// What no root needs gets no name. Looks stand in order of the drawing.
+    void name_symbols(const std::vector<std::string>& names) {
+        std::vector<bool> in_use;
+        for (const double scale : anchors_.largest_scale) in_use.push_back(scale > 0);
+        written_.symbol_of_part = symbol_names(rules_, in_use, uses_, names);
         for (std::size_t p = 0; p < rules_.parts.size(); ++p) {
-            const Part& part = rules_.parts[p];
-            if (!(anchors_.largest_scale[p] > 0)) continue;
-            if (part.look >= 0) {
-                looks.emplace_back(first[static_cast<std::size_t>(part.look)], part.look);
-                continue;
-            }
-            std::string name;
-            if (kind_of(part) != RuleKind::linear) name = production_names[part.rule];
-            if (name.empty()) {
-                name = "P" + std::to_string(productions++);
-                if (kind_of(part) != RuleKind::linear) production_names[part.rule] = name;
-            }
-            written_.symbol_of_part[p] = name;
-        }
-        std::ranges::sort(looks);
-        for (const auto& [unused, look] : looks) {
-            written_.symbol_of_part[static_cast<std::size_t>(look)] = terminal_name(static_cast<int>(looks_.size()));
-            looks_.push_back(look);
+            if (rules_.parts[p].look >= 0 && in_use[p]) looks_.push_back(rules_.parts[p].look);
         }
     }
 
@@ -90,7 +71,7 @@ class Writer {
         return written_.terminal_anchor;
     }
 
-    WritingContext context() const { return {rules_, anchors_, written_.symbol_of_part, slack_}; }
+    WritingContext context() const { return {rules_, anchors_, written_.symbol_of_part, uses_, slack_}; }
 
     void write_axiom() {
         int number = 0;  // of a root's symbol
@@ -116,6 +97,7 @@ class Writer {
     const Scene& scene_;
     double slack_;
     Anchors anchors_;
+    std::vector<RuleUse> uses_;
     std::vector<int> looks_;
     WrittenGrammar written_;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/spaces_report.h"
-#include "analyzer/terminals.h"
+#include "analyzer/symbol_names.h"
 #include "analyzer/transformation_space.h"
 
 namespace rinceau {
@@ -12,9 +12,7 @@ std::string spaces_output(const Scene& scene, SimilarityOptions similarity, File
     constexpr double share_of_analyze = 1e-4;  // its copies are as near to each other, so that both have the same looks
     similarity.tolerance_of_diagonal = std::min(similarity.tolerance_of_diagonal, share_of_analyze);
     const Instancing instancing = group_similar_elements(scene, similarity);
-    std::vector<std::string> names;
-    for (std::size_t look = 0; look < instancing.looks.size(); ++look)
-        names.push_back(terminal_name(static_cast<int>(look)));
+    const std::vector<std::string> names = look_names(instancing, scene);
     const std::vector<ClusteredSpace> spaces = cluster_spaces(fill_transformation_spaces(instancing));
     return format == FileFormat::csv ? spaces_csv(spaces, names) : spaces_svg(spaces, names);
 }

@@ -1,15 +1,12 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "analyzer/pose_grid.h"
-#include "analyzer/rule_comment.h"
 #include "analyzer/rule_sets.h"
 #include "analyzer/step_votes.h"
-#include "analyzer/terminals.h"
 
 using namespace rinceau;
 using namespace rinceau::test;
@@ -92,33 +89,4 @@ TEST_CASE("votes that agree are one cluster, the largest first, the mirrored one
     CHECK(clusters[1].step.mirrored);
     CHECK(votes.clusters(2, 1).size() == 1);
     CHECK(votes.clusters(1, 10).size() == 4);
-}
-
-TEST_CASE("terminals have names of their own, none of which begins like a production") {
-    std::set<std::string> names;
-    for (int index = 0; index < 200; ++index) {
-        const std::string name = terminal_name(index);
-        CHECK(name.front() != 'P');
-        CHECK(names.insert(name).second);
-    }
-    CHECK(terminal_name(0) == "A");
-    CHECK(terminal_name(25) == "A1");
-}
-
-TEST_CASE("rules are told apart in words") {
-    CHECK(kind_name(RuleKind::ring) == "ring");
-    const auto words = [](const Rule& rule, int count) {
-        RuleSet rules = copies(cyclic(1), {{}});
-        rules.rules.push_back(rule);
-        Part part{.rule = 0, .count = count, .children = {{0, {}}}};
-        return rule_comment(rules, part, {"A", "P0"}, count);
-    };
-    const Rule row{.kind = RuleKind::sequence, .repeated = 0, .step = translate({0, 3})};
-    Rule spiral = row, ring = row;
-    spiral.step = translate({0, 3}) * rotate(0.3) * scale_by(0.9);
-    ring.kind = RuleKind::ring;
-    CHECK(words(row, 7).find("row") != std::string::npos);
-    CHECK(words(row, 7).find('A') != std::string::npos);
-    CHECK(words(spiral, 7).find("spiral") != std::string::npos);
-    CHECK(words(ring, 12).find("ring of 12") != std::string::npos);
 }
