@@ -1,12 +1,11 @@
 #include "analyzer/chains.h"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <set>
-#include <unordered_map>
-#include <unordered_set>
 
 #include "analyzer/canonical_step.h"
+#include "geometry/index_map.h"
 #include "lsystem/turtle_step.h"
 
 namespace rinceau {
@@ -18,12 +17,12 @@ const Item& item_at(const RuleSet& rules, int item) { return rules.items[static_
 /// (item, gauge) pairs numbered as they are met, with who follows whom.
 class States {
   public:
-    explicit States(std::size_t gauges) : gauges_(gauges) {}
+    States(std::size_t gauges, std::size_t expected) : gauges_(gauges), ids_(expected) { list_.reserve(expected); }
     int id(int item, int gauge) {
-        const auto key = static_cast<std::size_t>(item) * gauges_ + static_cast<std::size_t>(gauge);
-        const auto [at, fresh] = ids_.try_emplace(key, static_cast<int>(list_.size()));
-        if (fresh) list_.push_back({item, gauge});
-        return at->second;
+        const std::uint64_t key = static_cast<std::uint64_t>(item) * gauges_ + static_cast<std::uint64_t>(gauge);
+        const int known = ids_.find_or_insert(key, size());
+        if (known == size()) list_.push_back({item, gauge});
+        return known;
     }
     struct State {
         int item = 0, gauge = 0;
@@ -32,25 +31,73 @@ class States {
     };
     static constexpr int none = -1, unknown = -2;
     State& operator[](int id) { return list_[static_cast<std::size_t>(id)]; }
+    const State& operator[](int id) const { return list_[static_cast<std::size_t>(id)]; }
     int size() const { return static_cast<int>(list_.size()); }
 
   private:
-    std::size_t gauges_;
+    std::uint64_t gauges_;
     std::vector<State> list_;
-    std::unordered_map<std::size_t, int> ids_;
+    IndexMap ids_;
 };
 
+/// Which gauges lead along the same items: a symmetry that the step carries into a symmetry of the same kind (a mirror image
+/// about the way of a straight row) changes nothing but the frames. For each gauge the lowest that is equivalent to it.
+std::vector<int> equivalent_gauges(const Part& part, const Similarity& step, const PoseTolerance& tolerance) {
+    constexpr double exact = 0.01;  // of the tolerance: symmetries are as exact as the outline that they were found on
+    const std::vector<Similarity>& symmetry = part.symmetry.elements;
+    std::vector<int> lowest(symmetry.size());
+    for (std::size_t s = 0; s < symmetry.size(); ++s) lowest[s] = static_cast<int>(s);
+    const double turn = exact * tolerance.angle;
+    const auto index_of = [&](const Similarity& wanted) { return matching_gauge(part, {}, wanted, turn); };
+    std::vector<char> kept(symmetry.size(), 0);
+    for (std::size_t s = 0; s < symmetry.size(); ++s) {
+        kept[s] = abs(apply(symmetry[s], step.translation) - step.translation) <= exact * tolerance.size;
+    }
+    // Only while each is carried into another one that is kept.
+    const Similarity back{inverse(step).linear, {}, step.mirrored}, forth{step.linear, {}, step.mirrored};
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t s = 0; s < symmetry.size(); ++s) {
+            if (!kept[s]) continue;
+            const int carried = index_of(back * symmetry[s] * forth);
+            if (carried >= 0 && kept[static_cast<std::size_t>(carried)]) continue;
+            kept[s] = 0;
+            changed = true;
+        }
+    }
+    for (std::size_t s = 0; s < symmetry.size(); ++s) {
+        for (std::size_t k = 0; k < symmetry.size(); ++k) {
+            const int other = kept[k] ? index_of(symmetry[s] * symmetry[k]) : -1;
+            if (other >= 0) lowest[s] = std::min(lowest[s], other);
+        }
+    }
+    return lowest;
+}
+
+/// What links are looked up with.
+struct Following {
+    const RuleSet& rules;
+    const PoseGrid& grid;
+    const Part& part;
+    const Similarity& step;
+    const PoseTolerance& tolerance;
+    std::vector<int> lowest_gauge;
+};
+
+Similarity frame_of(const Following& following, const States::State& state) {
+    return item_at(following.rules, state.item).pose * following.part.symmetry.elements[static_cast<std::size_t>(state.gauge)];
+}
+
 /// Links `from` to the state that its step leads to; the nearer claimant of a state keeps it.
-void link(States& states, int from, const RuleSet& rules, const PoseGrid& grid, const Part& part, const Similarity& step,
-          const PoseTolerance& tolerance) {
+void link(States& states, int from, const Following& following) {
     const States::State at = states[from];
     states[from].next = States::none;
-    const Item& item = item_at(rules, at.item);
-    const Similarity predicted = item.pose * part.symmetry.elements[static_cast<std::size_t>(at.gauge)] * step;
-    const double distance = abs(predicted.translation - item.pose.translation);
-    const auto match = grid.find(predicted, distance, tolerance);
+    const Similarity frame = frame_of(following, at);
+    const Similarity predicted = frame * following.step;
+    const double distance = abs(predicted.translation - frame.translation);
+    const auto match = following.grid.find(predicted, distance, following.tolerance);
     if (!match || match->item == at.item) return;
-    const int to = states.id(match->item, match->gauge);
+    const int to = states.id(match->item, following.lowest_gauge[static_cast<std::size_t>(match->gauge)]);
     const int rival = states[to].previous;
     if (rival != States::none) {
         if (states[to].shift <= match->shift) return;
@@ -61,23 +108,32 @@ void link(States& states, int from, const RuleSet& rules, const PoseGrid& grid, 
     states[to].shift = match->shift;
 }
 
-/// Walks from `start` until the end or until an item comes again; marks what it passes.
-Chain walk(States& states, int start, const RuleSet& rules, const Part& part, std::vector<char>& passed) {
+/// The frame of a state that goes on from `frame`, among those of equivalent gauges.
+Similarity continued_frame(const Following& following, const Similarity& frame, const States::State& state) {
+    const Similarity& pose = item_at(following.rules, state.item).pose;
+    const double turn = following.tolerance.turn(following.part.radius);
+    const int gauge = matching_gauge(following.part, pose, frame * following.step, turn);
+    return pose * following.part.symmetry.elements[static_cast<std::size_t>(gauge < 0 ? state.gauge : gauge)];
+}
+
+/// Walks from `start` until the end or until an item comes again; marks what it passes. `seen` holds for each item the last
+/// start of a walk that met it.
+Chain walk(const States& states, int start, const Following& following, std::vector<char>& passed, IndexMap& seen) {
     Chain chain;
     chain.gauge = states[start].gauge;
-    std::unordered_set<int> seen;
     for (int at = start; at >= 0 && !passed[static_cast<std::size_t>(at)]; at = states[at].next) {
         const States::State& state = states[at];
-        if (!seen.insert(state.item).second) {
+        const auto item = static_cast<std::uint64_t>(state.item);
+        if (seen.find(item) == start) {
             chain.closed = state.item == chain.items.front() && chain.items.size() >= 3;
             break;
         }
+        seen.set(item, start);
         passed[static_cast<std::size_t>(at)] = 1;
+        chain.frames.push_back(chain.frames.empty() ? frame_of(following, state)
+                                                    : continued_frame(following, chain.frames.back(), state));
         chain.items.push_back(state.item);
-        chain.frames.push_back(item_at(rules, state.item).pose *
-                               part.symmetry.elements[static_cast<std::size_t>(state.gauge)]);
-        const int next = states[at].next;
-        if (next >= 0 && states[next].item == chain.items.front() && chain.items.size() >= 3) chain.closed = true;
+        if (state.next >= 0 && states[state.next].item == chain.items.front() && chain.items.size() >= 3) chain.closed = true;
     }
     return chain;
 }
@@ -92,40 +148,48 @@ Chain begun_at_lowest(const RuleSet& rules, Chain chain) {
     return chain;
 }
 
-}  // namespace
-
-std::vector<Chain> sequence_chains(const RuleSet& rules, const PoseGrid& grid, std::span<const int> sources,
-                                   const Similarity& step, const PoseTolerance& tolerance) {
-    const Part& part = rules.parts[static_cast<std::size_t>(grid.part())];
-    States states(part.symmetry.elements.size());
-    // Follow the step from every source in every gauge.
-    for (const int source : sources) {
-        if (!item_at(rules, source).alive) continue;
-        for (int gauge = 0; gauge < static_cast<int>(part.symmetry.elements.size()); ++gauge) {
-            for (int at = states.id(source, gauge); at >= 0 && states[at].next == States::unknown; at = states[at].next) {
-                link(states, at, rules, grid, part, step, tolerance);
-            }
-        }
-    }
-    // Paths from states without a predecessor, then cycles.
+/// Paths from states without a predecessor, then cycles.
+std::vector<Chain> walked_chains(const States& states, const Following& following) {
     std::vector<char> passed(static_cast<std::size_t>(states.size()), 0);
+    IndexMap seen(static_cast<std::size_t>(states.size()));
     std::vector<Chain> chains;
     for (const bool cycles : {false, true}) {
         for (int start = 0; start < states.size(); ++start) {
             if (!cycles && states[start].previous != States::none) continue;
             // A path that meets an item twice goes on as a new chain.
             for (int at = start; at >= 0 && !passed[static_cast<std::size_t>(at)];) {
-                Chain chain = walk(states, at, rules, part, passed);
+                Chain chain = walk(states, at, following, passed, seen);
                 while (at >= 0 && passed[static_cast<std::size_t>(at)]) {
                     at = states[at].next;
                     if (at == start) break;
                 }
-                if (chain.items.size() >= 2) chains.push_back(begun_at_lowest(rules, std::move(chain)));
+                if (chain.items.size() >= 2) chains.push_back(begun_at_lowest(following.rules, std::move(chain)));
                 if (cycles) break;
             }
         }
     }
     return chains;
+}
+
+}  // namespace
+
+std::vector<Chain> sequence_chains(const RuleSet& rules, const PoseGrid& grid, std::span<const int> sources,
+                                   const Similarity& step, const PoseTolerance& tolerance) {
+    const Part& part = rules.parts[static_cast<std::size_t>(grid.part())];
+    const Following following{rules, grid, part, step, tolerance, equivalent_gauges(part, step, tolerance)};
+    const auto gauges = static_cast<int>(part.symmetry.elements.size());
+    States states(part.symmetry.elements.size(), sources.size());
+    // Follow the step from every source in every gauge that is not equivalent to another.
+    for (const int source : sources) {
+        if (!item_at(rules, source).alive) continue;
+        for (int gauge = 0; gauge < gauges; ++gauge) {
+            if (following.lowest_gauge[static_cast<std::size_t>(gauge)] != gauge) continue;
+            for (int at = states.id(source, gauge); at >= 0 && states[at].next == States::unknown; at = states[at].next) {
+                link(states, at, following);
+            }
+        }
+    }
+    return walked_chains(states, following);
 }
 
 namespace {
@@ -138,60 +202,101 @@ Similarity heading_frame(const RuleSet& rules, int item, int target) {
     return {scale_of(from.pose) * heading, from.pose.translation, false};
 }
 
+/// Directed pairs of items, numbered as they are met, with who follows whom.
+class Edges {
+  public:
+    explicit Edges(std::size_t expected) : ids_(expected) { list_.reserve(expected); }
+    int id(int from, int to) {
+        const std::uint64_t key = static_cast<std::uint64_t>(from) << 32U | static_cast<std::uint64_t>(to);
+        const int known = ids_.find_or_insert(key, size());
+        if (known == size()) list_.push_back({from, to});
+        return known;
+    }
+    struct Edge {
+        int from = 0, to = 0;
+        int next = unknown, previous = none;
+    };
+    static constexpr int none = -1, unknown = -2;
+    Edge& operator[](int id) { return list_[static_cast<std::size_t>(id)]; }
+    const Edge& operator[](int id) const { return list_[static_cast<std::size_t>(id)]; }
+    int size() const { return static_cast<int>(list_.size()); }
+    /// By first item, then by second.
+    std::vector<int> in_order() const {
+        std::vector<int> order(list_.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::sort(order, {}, [&](int e) { return std::pair{(*this)[e].from, (*this)[e].to}; });
+        return order;
+    }
+
+  private:
+    std::vector<Edge> list_;
+    IndexMap ids_;
+};
+
+/// The edge that the step finds after `at`, or none.
+int next_edge(Edges& edges, int at, const RuleSet& rules, const PoseGrid& grid, const Similarity& step,
+              const PoseTolerance& tolerance) {
+    const Edges::Edge edge = edges[at];
+    const double advance = step.translation.y;
+    const Similarity here = heading_frame(rules, edge.from, edge.to);
+    const double length = abs(item_at(rules, edge.to).pose.translation - here.translation);
+    if (std::abs(length - advance * scale_of(here)) > tolerance.shift(scale_of(here), length)) return Edges::none;
+    // The frame at the edge's end, as the step predicts its heading.
+    Similarity there = here * step;
+    there.translation = item_at(rules, edge.to).pose.translation;
+    const auto match = grid.find(there * step, length, tolerance);
+    if (!match || match->item == edge.to || match->item == edge.from) return Edges::none;
+    return edges.id(edge.to, match->item);
+}
+
+/// Follows the edges from `start` until the end or until an item comes again; marks what it passes.
+Chain walk_edges(const Edges& edges, int start, const RuleSet& rules, const Similarity& step, std::vector<char>& passed) {
+    Chain chain;
+    std::set<int> seen;
+    for (int at = start; at >= 0 && !passed[static_cast<std::size_t>(at)]; at = edges[at].next) {
+        passed[static_cast<std::size_t>(at)] = 1;
+        const Edges::Edge& edge = edges[at];
+        if (!seen.insert(edge.from).second) break;
+        chain.items.push_back(edge.from);
+        chain.frames.push_back(heading_frame(rules, edge.from, edge.to));
+        if (edge.next < 0 && !seen.contains(edge.to)) {
+            chain.items.push_back(edge.to);
+            Similarity last = chain.frames.back() * step;
+            last.translation = item_at(rules, edge.to).pose.translation;
+            chain.frames.push_back(last);
+        }
+        if (edge.to == chain.items.front() && chain.items.size() >= 3) {
+            chain.closed = true;
+            break;
+        }
+    }
+    return chain;
+}
+
 }  // namespace
 
 std::vector<Chain> directed_chains(const RuleSet& rules, const PoseGrid& grid, std::span<const std::pair<int, int>> starts,
                                    const Similarity& step, const PoseTolerance& tolerance) {
-    using Edge = std::pair<int, int>;
-    std::map<Edge, Edge> next_edge;
-    std::map<Edge, Edge> previous_edge;
-    const Edge nowhere{-1, -1};
-    const double advance = step.translation.y;
     // Follow every start edge forward; an edge leads to at most one other.
-    for (const Edge& start : starts) {
-        if (!item_at(rules, start.first).alive || !item_at(rules, start.second).alive) continue;
-        Edge edge = start;
-        while (!next_edge.contains(edge)) {
-            next_edge[edge] = nowhere;
-            const Similarity here = heading_frame(rules, edge.first, edge.second);
-            const double length = abs(item_at(rules, edge.second).pose.translation - here.translation);
-            if (std::abs(length - advance * scale_of(here)) > tolerance.shift(scale_of(here), length)) break;
-            // The frame at the edge's end, as the step predicts its heading.
-            Similarity there = here * step;
-            there.translation = item_at(rules, edge.second).pose.translation;
-            const auto match = grid.find(there * step, length, tolerance);
-            if (!match || match->item == edge.second || match->item == edge.first) break;
-            const Edge onward{edge.second, match->item};
-            if (previous_edge.contains(onward)) break;
-            next_edge[edge] = onward;
-            previous_edge[onward] = edge;
-            edge = onward;
+    Edges edges(starts.size());
+    for (const auto& [from, to] : starts) {
+        if (!item_at(rules, from).alive || !item_at(rules, to).alive) continue;
+        for (int at = edges.id(from, to); edges[at].next == Edges::unknown;) {
+            edges[at].next = Edges::none;
+            const int onward = next_edge(edges, at, rules, grid, step, tolerance);
+            if (onward < 0 || edges[onward].previous >= 0) break;
+            edges[at].next = onward;
+            edges[onward].previous = at;
+            at = onward;
         }
     }
     std::vector<Chain> chains;
-    std::set<Edge> passed;
+    std::vector<char> passed(static_cast<std::size_t>(edges.size()), 0);
+    const std::vector<int> order = edges.in_order();
     for (const bool cycles : {false, true}) {
-        for (const auto& [start, unused] : next_edge) {
-            if (passed.contains(start) || (!cycles && previous_edge.contains(start))) continue;
-            Chain chain;
-            std::set<int> seen;
-            for (Edge edge = start; edge != nowhere && passed.insert(edge).second; edge = next_edge[edge]) {
-                if (!seen.insert(edge.first).second) break;
-                chain.items.push_back(edge.first);
-                chain.frames.push_back(heading_frame(rules, edge.first, edge.second));
-                if (!next_edge.contains(edge)) break;
-                const Edge onward = next_edge[edge];
-                if (onward == nowhere && !seen.contains(edge.second)) {
-                    chain.items.push_back(edge.second);
-                    Similarity last = chain.frames.back() * step;
-                    last.translation = item_at(rules, edge.second).pose.translation;
-                    chain.frames.push_back(last);
-                }
-                if (edge.second == chain.items.front() && chain.items.size() >= 3) {
-                    chain.closed = true;
-                    break;
-                }
-            }
+        for (const int start : order) {
+            if (passed[static_cast<std::size_t>(start)] || (!cycles && edges[start].previous >= 0)) continue;
+            Chain chain = walk_edges(edges, start, rules, step, passed);
             if (chain.items.size() >= 2) chains.push_back(begun_at_lowest(rules, std::move(chain)));
         }
     }
