@@ -26,11 +26,7 @@ constexpr std::size_t closing_groups = 3;
 constexpr double ambiguity_price = 0.75;
 constexpr double false_alarm_bits = -7;
 constexpr double link_hope = 1.5;  // links that a sequence may have for each vote of neighbours
-constexpr double link_slack = 2;   // votes are clustered at the tolerance, links accepted at twice that (hysteresis)
-
-PoseTolerance link_tolerance(const SearchState& state) {
-    return {link_slack * state.tolerance.size, link_slack * state.tolerance.angle, state.tolerance.per_distance};
-}
+constexpr double link_slack = 2;
 
 /// Where the search starts: all items, or only those that voted when these are few.
 std::vector<int> sources_of(const SearchState& state, const Hypothesis& hypothesis) {
@@ -230,6 +226,10 @@ bool closes_the_scene(const SearchState& state, const Hypothesis& hypothesis, co
 }
 
 }  // namespace
+
+PoseTolerance link_tolerance(const SearchState& state) {
+    return {link_slack * state.tolerance.size, link_slack * state.tolerance.angle, state.tolerance.per_distance};
+}
 
 double optimistic_score(const SearchState& state, const Hypothesis& hypothesis) {
     const bool closing = state.part(hypothesis.from).rule >= 0 && state.alive(hypothesis.from).size() <= closing_groups;

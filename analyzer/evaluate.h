@@ -43,6 +43,9 @@ struct Evaluation {
 Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis& hypothesis, const SearchOptions& options,
                     std::size_t rivals);
 
+/// Votes are clustered at the tolerance, links are accepted at twice that (hysteresis).
+PoseTolerance link_tolerance(const SearchState& state);
+
 /// Before anything is looked up: an upper bound for the score.
 double optimistic_score(const SearchState& state, const Hypothesis& hypothesis);
 

@@ -4,6 +4,7 @@
 #include <queue>
 #include <set>
 
+#include "analyzer/bridge_gaps.h"
 #include "analyzer/propose.h"
 #include "analyzer/substitute.h"
 
@@ -132,13 +133,12 @@ class Search {
 
     bool apply(Candidate& candidate) {
         const Hypothesis hypothesis = candidate.hypothesis;
-        const Substitution made = substitute(state_, hypothesis, candidate.evaluation);
+        Substitution made = substitute(state_, hypothesis, candidate.evaluation);
         if (made.new_items.empty()) return false;
         candidate.dead = true;
-        for (const int part : made.touched_parts) {
-            ++version(part);
-            grids_.forget(part);
-        }
+        for (const int part : made.touched_parts) grids_.forget(part);
+        bridge_gaps(state_, grids_, made);
+        for (const int part : made.touched_parts) ++version(part);
         propose_anew(made);
         consumed_ += static_cast<double>(made.new_items.size());
         report(progress_, "rules", 1 - 1 / (1 + consumed_ / 10));

@@ -13,7 +13,6 @@ namespace rinceau {
 
 namespace {
 
-constexpr double guard_slack = 3;      // members may miss their predicted place by this many tolerances
 constexpr double natural_slack = 0.5;  // of the tolerance, given up for round values
 
 double child_radius(const SearchState& state, const Hypothesis& hypothesis) {
@@ -142,6 +141,10 @@ void apply(SearchState& state, const Applied& applied, int known_rule, std::set<
 }
 
 }  // namespace
+
+Part made_part(const SearchState& state, int rule, int count) {
+    return new_part(state, state.rules.rules[static_cast<std::size_t>(rule)], rule, count);
+}
 
 Substitution substitute(SearchState& state, const Hypothesis& hypothesis, const Evaluation& evaluation) {
     Substitution substitution;

@@ -12,6 +12,12 @@ struct Substitution {
     std::vector<int> touched_parts;  ///< parts that lost or gained items, rising
 };
 
+/// Members may miss the place that their rule gives them by this many tolerances.
+constexpr double guard_slack = 3;
+
+/// The part that rule `rule` makes with `count` repetitions; not yet one of the state.
+Part made_part(const SearchState& state, int rule, int count);
+
 /// Fits the rule, makes a part for each count and an item for each chain whose members lie where the rule puts them.
 Substitution substitute(SearchState& state, const Hypothesis& hypothesis, const Evaluation& evaluation);
 

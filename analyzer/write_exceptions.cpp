@@ -7,6 +7,7 @@ namespace {
 struct Collector {
     const WritingContext& context;
     std::vector<Exception> exceptions;
+    std::string last_comment = {};
 
     const Item& item(int i) const { return context.rules.items[static_cast<std::size_t>(i)]; }
 
@@ -26,20 +27,27 @@ struct Collector {
         }
     }
 
+    /// What several in a row have in common is said once.
+    void add(Exception exception, const std::string& comment) {
+        if (comment != last_comment) exception.comment = comment;
+        last_comment = comment;
+        exceptions.push_back(std::move(exception));
+    }
+
     void except(int part, int member, const Similarity& place, std::vector<int>& address) {
         Exception exception;
         exception.address = address;
-        exception.comment = "no " + context.symbol(part) + " here";
         if (member < 0) {
-            exceptions.push_back(std::move(exception));
+            add(std::move(exception), "no " + context.symbol(part) + " here");
             return;
         }
         const Item& instead = item(member);
         const Similarity turtle = place * context.anchor(part);
-        exception.comment = context.symbol(instead.part) + " instead of " + context.symbol(part);
         append_placed(context, exception.successor, inverse(turtle) * instead.pose * context.anchor(instead.part), instead.part,
                       scale_of(turtle), false);
-        exceptions.push_back(std::move(exception));
+        const std::string& name = context.symbol(instead.part);
+        add(std::move(exception), name == context.symbol(part) ? "only a part of this " + name
+                                                               : name + " instead of " + context.symbol(part));
         collect(member, instead.pose, address);  // its module takes over the address
     }
 };
