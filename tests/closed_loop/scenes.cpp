@@ -3,28 +3,11 @@
 #include <utility>
 
 #include "closed_loop/known_grammar.h"
-#include "closed_loop/shapes.h"
+#include "closed_loop/recipe.h"
 #include "geometry/random.h"
 
 namespace rinceau::test {
 namespace {
-
-constexpr Color ink{30, 40, 60};
-constexpr Color clay{180, 80, 50};
-constexpr Color sky{90, 150, 210};
-constexpr Color gold{220, 170, 40};
-
-Element sized(std::vector<Path> paths, double size, Style style) { return element(transformed(paths, scale_by(size)), std::move(style)); }
-
-struct Recipe {
-    std::string name;
-    std::string rules;
-    std::vector<std::pair<std::string, Element>> terminals;
-    int fewest_rules = 0;
-    int most_rules = 0;
-    int axiom_symbols = 1;
-    bool order_shows = false;  ///< elements overlap: the order of the drawing must stay
-};
 
 std::vector<Recipe> paper_figures() {
     const Element mark = sized(hook(), 12, filled(ink));
@@ -137,7 +120,7 @@ std::vector<KnownScene> known_scenes(const KnownSceneOptions& options) {
     std::vector<KnownScene> scenes;
     for (const auto& family : {paper_figures(), grids(), rings()}) {
         for (const Recipe& recipe : family) {
-            const Scene exact = drawn_scene(known_grammar(recipe.rules, recipe.terminals));
+            const Scene exact = drawn_scene(recipe);
             scenes.push_back({recipe.name, finished(exact, !recipe.order_shows, options, random), recipe.fewest_rules,
                               recipe.most_rules, recipe.axiom_symbols});
         }
