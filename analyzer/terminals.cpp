@@ -38,6 +38,7 @@ double tidy_length(double value) {
 }
 
 Style tidied(Style style) {
+    if (!paints_stroke(style)) style.stroke = {};
     style.stroke.width = tidy_length(style.stroke.width);
     for (double& dash : style.stroke.dashes) dash = tidy_length(dash);
     return style;

@@ -12,22 +12,30 @@ namespace rinceau::test {
 
 namespace {
 
-/// What was found in one drawing of a scene.
-struct Finding {
-    int elements = 0, terminals = 0, rules = 0, axiom = 0, exceptions = 0;
-    double drawing_bits = 0, grammar_bits = 0, deviation = 0, seconds = 0;
-    bool passed = false;
-};
-
 enum class Verdict { missed, partly, found };
 
-Finding finding_in(const Scene& scene, const AnalyzeOptions& options) {
+/// What was found in one drawing of a scene.
+struct Finding {
+    int elements = 0, rules = 0, axiom = 0, exceptions = 0;
+    double drawing_bits = 0, grammar_bits = 0, deviation = 0, seconds = 0;
+    bool passed = false;
+    Verdict verdict = Verdict::missed;
+};
+
+/// Partly: not what a person would write, but half as long as the drawing.
+Verdict verdict_of(const ListedScene& scene, const Analysis& analysis) {
+    if (is_found(scene, analysis)) return Verdict::found;
+    const AnalysisReport& report = analysis.report;
+    const bool half = scene.most_rules > 0 && 2 * report.grammar_bits <= report.drawing_bits;
+    return half && report.check.passed ? Verdict::partly : Verdict::missed;
+}
+
+Finding finding_in(const ListedScene& listed, const Scene& scene, const AnalyzeOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     const Analysis analysis = analyze(scene, options);
     Finding finding;
     finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     finding.elements = analysis.report.elements;
-    finding.terminals = static_cast<int>(analysis.report.terminals.size());
     finding.rules = static_cast<int>(analysis.report.productions.size());
     finding.axiom = axiom_symbols(analysis.grammar);
     finding.exceptions = static_cast<int>(analysis.grammar.exceptions.size());
@@ -35,18 +43,8 @@ Finding finding_in(const Scene& scene, const AnalyzeOptions& options) {
     finding.grammar_bits = analysis.report.grammar_bits;
     finding.deviation = analysis.report.check.max_deviation;
     finding.passed = analysis.report.check.passed;
+    finding.verdict = verdict_of(listed, analysis);
     return finding;
-}
-
-/// Found: as few productions and symbols as a person would write, and exceptions for one element in five at most (in shaken
-/// layouts all miss their places). Partly: the grammar is at most half as long as the drawing.
-Verdict verdict_of(const ListedScene& scene, const Finding& finding) {
-    const bool few = finding.rules >= scene.rules && finding.rules <= scene.most_rules && finding.axiom <= scene.axiom_symbols &&
-                     (scene.terminals == 0 || finding.terminals <= scene.terminals);
-    const bool regular = scene.family == "noise" || 5 * finding.exceptions <= finding.elements;
-    if (few && regular && finding.passed) return Verdict::found;
-    const bool half = scene.most_rules > 0 && 2 * finding.grammar_bits <= finding.drawing_bits;
-    return half && finding.passed ? Verdict::partly : Verdict::missed;
 }
 
 const char* word_of(Verdict verdict) {
@@ -70,10 +68,9 @@ SceneRow row_of(const ListedScene& scene, int seeds, const AnalyzeOptions& optio
     std::vector<Finding> findings;
     int partly = 0;
     for (int seed = 1; seed <= std::min(seeds, scene.seeds); ++seed) {
-        findings.push_back(finding_in(scene.make(static_cast<std::uint64_t>(seed)), options));
-        const Verdict verdict = verdict_of(scene, findings.back());
-        row.found += verdict == Verdict::found ? 1 : 0;
-        partly += verdict != Verdict::missed ? 1 : 0;
+        findings.push_back(finding_in(scene, scene.make(static_cast<std::uint64_t>(seed)), options));
+        row.found += findings.back().verdict == Verdict::found ? 1 : 0;
+        partly += findings.back().verdict != Verdict::missed ? 1 : 0;
     }
     row.drawings = static_cast<int>(findings.size());
     std::ranges::sort(findings, {}, &Finding::grammar_bits);

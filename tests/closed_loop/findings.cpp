@@ -38,6 +38,17 @@ int axiom_symbols(const Grammar& grammar) {
         grammar.axiom, [](const ModuleTemplate& module) { return find_turtle_command(module.symbol) == nullptr; }));
 }
 
+bool is_found(const ListedScene& scene, const Analysis& found) {
+    const AnalysisReport& report = found.report;
+    const int rules = static_cast<int>(report.productions.size());
+    const int terminals = static_cast<int>(report.terminals.size());
+    const int exceptions = static_cast<int>(found.grammar.exceptions.size());
+    const bool few = rules >= scene.rules && rules <= scene.most_rules && axiom_symbols(found.grammar) <= scene.axiom_symbols &&
+                     (scene.terminals == 0 || terminals <= scene.terminals);
+    const bool regular = scene.family == "noise" || 5 * exceptions <= report.elements;
+    return few && regular && report.check.passed;
+}
+
 std::vector<KnownScene> scenes_but(const std::vector<std::string>& names) {
     std::vector<KnownScene> scenes = known_scenes();
     std::erase_if(scenes, [&](const KnownScene& known) { return std::ranges::find(names, known.name) != names.end(); });
