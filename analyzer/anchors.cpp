@@ -35,9 +35,35 @@ std::vector<Complex> commonest_poses(const Instancing& instancing) {
     return commonest;
 }
 
+/// A tree's nodes have as many sizes and angles as levels and branches: its largest node is the one to measure by.
+void take_roots_of_trees(const RuleSet& rules, std::vector<Complex>& poses) {
+    std::vector<double> largest(poses.size(), 0);
+    for (const Item& item : rules.items) {
+        const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
+        if (part.rule < 0 || part.children.empty()) continue;
+        const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];
+        if (rule.kind != RuleKind::branch) continue;
+        for (std::size_t k = 0; k < rule.members.size() && k < item.members.size(); ++k) {
+            if (item.members[k] < 0) continue;
+            const Item& member = rules.items[static_cast<std::size_t>(item.members[k])];
+            const int look = rules.parts[static_cast<std::size_t>(member.part)].look;
+            if (look < 0 || member.pose.mirrored) continue;
+            const auto at = static_cast<std::size_t>(look);
+            if (scale_of(member.pose) <= largest[at]) continue;
+            largest[at] = scale_of(member.pose);
+            poses[at] = member.pose.linear;
+        }
+    }
+}
+
 Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<Similarity>& anchors) {
     const Child& first = part.children.front();
-    const RuleKind kind = rules.rules[static_cast<std::size_t>(part.rule)].kind;
+    const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];
+    const RuleKind kind = rule.kind;
+    if (kind == RuleKind::branch) {  // the same frame at every node, whatever its depth
+        const Child& stands = rule.members.empty() ? rule.leaves.front() : rule.members.front();
+        return part.node * stands.pose * anchors[static_cast<std::size_t>(stands.part)];
+    }
     Similarity member = anchors[static_cast<std::size_t>(first.part)];
     if (kind == RuleKind::linear) member.translation = {};  // alpha and beta are linear about the member's own origin
     const Similarity head = first.pose * member;
@@ -65,7 +91,8 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
     anchors.of_part.resize(rules.parts.size());
     anchors.extent.resize(rules.parts.size());
     anchors.largest_scale.assign(rules.parts.size(), 0);
-    const std::vector<Complex> commonest = commonest_poses(instancing);
+    std::vector<Complex> commonest = commonest_poses(instancing);
+    take_roots_of_trees(rules, commonest);
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
         const Part& part = rules.parts[p];
         if (part.look >= 0) {

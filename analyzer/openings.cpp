@@ -1,5 +1,6 @@
 #include "analyzer/openings.h"
 
+#include "analyzer/branch_opening.h"
 #include "analyzer/scene_rotation.h"
 #include "analyzer/sector_rules.h"
 
@@ -23,6 +24,7 @@ const std::vector<Opening>& openings() {
     static const std::vector<Opening> all{
         {"from below", 1, open_with_nothing},
         {"rotation of the whole", clearly, open_with_rotation},
+        {"branching", 1, [](const SearchState& start, const SearchOptions&, const Progress&) { return open_with_branching(start); }},
     };
     return all;
 }

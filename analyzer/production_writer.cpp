@@ -88,6 +88,8 @@ WrittenRule write_rule(const WritingContext& context, int part) {
             return write_ring(context, part);
         case RuleKind::linear:
             return write_linear(context, part);
+        case RuleKind::branch:
+            return write_branch(context, part);
         case RuleKind::sequence:
             break;
     }

@@ -64,12 +64,22 @@ void fill_report(AnalysisReport& report, const OrderedRules& ordered, const Writ
     // Productions: counts over all items that are in use.
     std::map<std::string, ProductionReport> by_symbol;
     std::vector<int> open = ordered.roots;
+    std::vector<char> inner(rules.items.size(), 0);
+    const auto rule_of_item = [&](int i) {
+        return rules.parts[static_cast<std::size_t>(rules.items[static_cast<std::size_t>(i)].part)].rule;
+    };
     while (!open.empty()) {
-        const Item& item = rules.items[static_cast<std::size_t>(open.back())];
+        const int index = open.back();
+        const Item& item = rules.items[static_cast<std::size_t>(index)];
         open.pop_back();
         std::ranges::copy_if(item.members, std::back_inserter(open), [](int member) { return member >= 0; });
         const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
         if (part.rule < 0) continue;
+        // The trees within a tree are no uses of their own.
+        for (const int member : item.members) {
+            if (member >= 0) inner[static_cast<std::size_t>(member)] = rule_of_item(member) == part.rule;
+        }
+        if (inner[static_cast<std::size_t>(index)]) continue;
         const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];
         ProductionReport& production = by_symbol[written.symbol_of_part[static_cast<std::size_t>(item.part)]];
         production.kind = kind_name(rule.kind);

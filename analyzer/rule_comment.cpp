@@ -18,6 +18,8 @@ std::string kind_name(RuleKind kind) {
             return "linear";
         case RuleKind::group:
             return "group";
+        case RuleKind::branch:
+            return "branching";
     }
     return "";
 }
@@ -181,6 +183,20 @@ std::string ring_comment(const RuleSet& rules, const Part& part, const std::stri
     return use.even && plain ? text + ", radius " + short_number(scale_of(item.pose) * radius) : text;
 }
 
+/// "a tree of A, in which 2 grow from each, 10 levels deep"
+std::string branch_comment(const RuleSet& rules, const Part& part, const std::vector<std::string>& names,
+                           const RuleUse& use) {
+    const Rule& rule = rule_of(rules, part);
+    const std::string copies = std::to_string(rule.steps.size()), levels = count_text(use) + " levels deep";
+    if (rule.members.empty()) return "made of " + copies + " small copies of itself, " + levels;
+    std::string text = "a tree of ";
+    for (std::size_t k = 0; k < rule.members.size(); ++k) {
+        if (k > 0) text += k + 1 == rule.members.size() ? " with " : ", ";
+        text += names[static_cast<std::size_t>(part.children[k].part)];
+    }
+    return text + ": " + copies + " grow from each, " + levels;
+}
+
 }  // namespace
 
 std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<RuleUse>& uses) {
@@ -191,6 +207,8 @@ std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<
             return "Curve";
         case RuleKind::group:
             return part.children.size() == 2 ? "Pair" : "Motif";
+        case RuleKind::branch:
+            return rule_of(rules, part).members.empty() ? "Fractal" : "Tree";
         case RuleKind::sequence:
             break;
     }
@@ -202,6 +220,7 @@ std::string rule_comment(const RuleSet& rules, const Part& part, const std::vect
     const Rule& rule = rule_of(rules, part);
     const RuleUse& use = use_of(part, uses);
     if (rule.kind == RuleKind::group) return group_comment(part, names);
+    if (rule.kind == RuleKind::branch) return branch_comment(rules, part, names, use);
     const std::string& what = names[static_cast<std::size_t>(rule.repeated)];
     if (rule.kind == RuleKind::ring) return ring_comment(rules, part, what, use);
     if (rule.kind == RuleKind::linear) return "a curve of " + count_text(use) + " " + what + ", turning more and more";

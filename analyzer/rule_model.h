@@ -16,7 +16,8 @@ enum class RuleKind : std::uint8_t {
     sequence,  ///< r1: [A] T P(m-1), constant step T
     ring,      ///< a sequence that closes
     linear,    ///< r1 with t(m) = t0 + tDelta m in alpha and beta (eq. 4)
-    group      ///< several parts in fixed positions (r1 and r2 for P(1), merged: section 5.7)
+    group,     ///< several parts in fixed positions (r1 and r2 for P(1), merged: section 5.7)
+    branch     ///< r3 and r4: R(m) -> members [T1 R(m-1)] .. [Tk R(m-1)], R(0) -> leaves
 };
 
 /// A member of a part, in the part's frame.
@@ -31,14 +32,19 @@ struct Rule {
     Similarity step;         ///< from one repetition to the next; linear: the first one
     double turn_change = 0;  ///< linear: what alpha and beta of the step grow by from one repetition to the next
     double spin_change = 0;
-    std::vector<Child> members;  ///< group: relative to the first, whose pose is the identity
+    std::vector<Child> members;  ///< group: relative to the first, whose pose is the identity; branch: what stands at every
+                                 ///< node, in the node's frame, possibly nothing (a drawing that consists of small copies
+                                 ///< of itself)
+    std::vector<Similarity> steps;  ///< branch: from a node to each of those that grow from it, at least one
+    std::vector<Child> leaves;      ///< branch: what stands at depth 0, in the node's frame, possibly nothing
 };
 
 struct Part {
     int look = -1;                ///< a look of the drawing, or
     int rule = -1;                ///< a rule with this
-    int count = 1;                ///< number of repetitions (group: 1)
+    int count = 1;                ///< number of repetitions (group: 1, branch: depth, at least 1)
     std::vector<Child> children;  ///< in order of derivation; origin = mean of their origins, first child unturned, unscaled
+    Similarity node;              ///< branch: frame of the lowest node -> part frame
     SymmetryGroup symmetry;
     double radius = 1;  ///< of a circle about the origin that holds the part, roughly; own units
     int leaves = 1;

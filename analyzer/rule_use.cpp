@@ -23,15 +23,21 @@ void count_use(const RuleSet& rules, int item, RuleUse& use) {
 
 std::vector<RuleUse> rule_uses(const RuleSet& rules, const std::vector<int>& roots) {
     std::vector<RuleUse> uses(rules.rules.size());
-    std::vector<int> open(roots.rbegin(), roots.rend());
+    struct Place {
+        int item = 0;
+        int rule_above = -1;
+    };
+    std::vector<Place> open;
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, -1});
     while (!open.empty()) {
-        const int item = open.back();
+        const auto [item, rule_above] = open.back();
         open.pop_back();
         const Item& at = rules.items[static_cast<std::size_t>(item)];
         const int rule = rules.parts[static_cast<std::size_t>(at.part)].rule;
-        if (rule >= 0) count_use(rules, item, uses[static_cast<std::size_t>(rule)]);
+        // The trees within a tree are no uses of their own.
+        if (rule >= 0 && rule != rule_above) count_use(rules, item, uses[static_cast<std::size_t>(rule)]);
         for (std::size_t k = at.members.size(); k-- > 0;) {
-            if (at.members[k] >= 0) open.push_back(at.members[k]);
+            if (at.members[k] >= 0) open.push_back({at.members[k], rule});
         }
     }
     return uses;

@@ -13,11 +13,20 @@ struct Collector {
 
     /// `pose` is where the rules have the item's part. Each child is one symbol of its own, in their order.
     void collect(int i, const Similarity& pose, std::vector<int>& address) {
+        int number = 0;
+        collect_children(i, pose, address, number);
+    }
+
+    void collect_children(int i, const Similarity& pose, std::vector<int>& address, int& number) {
         const Item& at = item(i);
         const std::vector<Child>& children = context.part(at.part).children;
         for (std::size_t k = 0; k < at.members.size(); ++k) {
-            address.push_back(static_cast<int>(k) + 1);
             const Similarity place = pose * children[k].pose;
+            if (context.part(children[k].part).rule == context.part(at.part).rule) {  // a call of itself: numbers go on
+                collect_tree(children[k].part, at.members[k], place, address, number);
+                continue;
+            }
+            address.push_back(++number);
             if (is_regular(context.rules, at, k)) {
                 collect(at.members[k], place, address);
             } else {
@@ -32,6 +41,22 @@ struct Collector {
         if (comment != last_comment) exception.comment = comment;
         last_comment = comment;
         exceptions.push_back(std::move(exception));
+    }
+
+    void collect_tree(int part, int member, const Similarity& place, std::vector<int>& address, int& number) {
+        if (member >= 0) {
+            collect_children(member, place, address, number);
+            return;
+        }
+        for (const Child& child : context.part(part).children) {
+            if (context.part(child.part).rule == context.part(part).rule) {
+                collect_tree(child.part, -1, {}, address, number);
+                continue;
+            }
+            address.push_back(++number);
+            except(child.part, -1, {}, address);
+            address.pop_back();
+        }
     }
 
     void except(int part, int member, const Similarity& place, std::vector<int>& address) {

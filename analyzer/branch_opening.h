@@ -1,0 +1,13 @@
+#pragma once
+// Trees before the search from below (docs/analysis.md, 4.7).
+
+#include <optional>
+
+#include "analyzer/search_state.h"
+
+namespace rinceau {
+
+/// The state in which the trees of the drawing are items, or nothing if it has none.
+std::optional<SearchState> open_with_branching(const SearchState& start);
+
+}  // namespace rinceau
