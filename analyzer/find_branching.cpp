@@ -22,7 +22,7 @@ constexpr std::size_t samples_at_first = 12;  // a step that holds at none of th
 constexpr std::size_t steps_kept = 16;
 constexpr std::size_t most_steps = 8;
 constexpr std::size_t most_variants = 96;
-constexpr std::size_t trial_nodes = 127;  // of the trees that compare sets of steps
+constexpr std::size_t trial_nodes = 127;  // of the trees that compare pairs of steps
 constexpr int fewest_levels = 3;
 constexpr double smallest_scale = 1.0 / 32, largest_scale = 1.05;
 constexpr double rule_head_bits = 9, tree_bits = 6;
@@ -159,8 +159,8 @@ class Finder {
     }
 
     /// All nodes in full levels, or 0 if there are too few levels.
-    std::size_t nodes_from(int seed, const std::vector<Similarity>& steps) {
-        const GrownTree tree = grower_.grow(seed, pose(seed), steps, trial_nodes);
+    std::size_t nodes_from(int seed, const std::vector<Similarity>& steps, std::size_t most_nodes) {
+        const GrownTree tree = grower_.grow(seed, pose(seed), steps, most_nodes);
         return tree.levels >= fewest_levels ? tree.items.size() : 0;
     }
 
@@ -174,16 +174,17 @@ class Finder {
         StepSet best;
         for (std::size_t i = 0; i < variants.size(); ++i) {
             for (std::size_t j = i + 1; j < variants.size(); ++j) {
-                const StepSet pair = with_nodes(seed, {variants[i], variants[j]});
+                const StepSet pair = with_nodes(seed, {variants[i], variants[j]}, trial_nodes);
                 if (pair.nodes > 0 && better(pair, best)) best = pair;
             }
         }
+        if (!best.steps.empty()) best = with_nodes(seed, best.steps, items_.size());
         while (!best.steps.empty() && best.steps.size() < most_steps) {
             StepSet larger;
             for (const Similarity& variant : variants) {
                 std::vector<Similarity> steps = best.steps;
                 steps.push_back(variant);
-                const StepSet set = with_nodes(seed, std::move(steps));
+                const StepSet set = with_nodes(seed, std::move(steps), items_.size());
                 if (set.nodes > 0 && better(set, larger)) larger = set;
             }
             if (larger.nodes <= best.nodes) break;
@@ -192,9 +193,9 @@ class Finder {
         return best;
     }
 
-    StepSet with_nodes(int seed, std::vector<Similarity> steps) {
+    StepSet with_nodes(int seed, std::vector<Similarity> steps, std::size_t most_nodes) {
         StepSet set{std::move(steps), 0, 0};
-        set.nodes = nodes_from(seed, set.steps);
+        set.nodes = nodes_from(seed, set.steps, most_nodes);
         if (set.nodes > 0) {
             for (const Similarity& step : set.steps) set.bits += bits_of(step);
         }
