@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "analyzer/fill_gaps.h"
 #include "analyzer/generate_rules.h"
 #include "analyzer/grammar_bits.h"
 #include "analyzer/inline_groups.h"
@@ -79,7 +80,7 @@ DescriptionBits bits_of(const Description& description, const Grammar& grammar, 
 Description describe(const Drawing& drawing, RuleSet rules, double tolerance) {
     Description description;
     description.tolerance = tolerance;
-    description.ordered = ordered_for_painting(with_inlined_groups(std::move(rules)), drawing.overlaps);
+    description.ordered = ordered_for_painting(with_inlined_groups(with_filled_gaps(std::move(rules))), drawing.overlaps);
     description.written =
         to_grammar(description.ordered, drawing.instancing, drawing.scene, digits_share * drawing.diagonal);
     Residuals exact = with_residuals(description.written, drawing.instancing, exact_share * drawing.diagonal);

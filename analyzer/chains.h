@@ -12,7 +12,7 @@ namespace rinceau {
 
 /// Items in order, each with the frame that continues the sequence (its pose times one of its symmetries).
 struct Chain {
-    std::vector<int> items;
+    std::vector<int> items;  ///< -1: this one is missing, its frame says nothing
     std::vector<Similarity> frames;
     bool closed = false;
     int gauge = 0;  ///< of the first item

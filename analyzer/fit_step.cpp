@@ -54,14 +54,23 @@ struct Parameters {
 
 /// Per item of a chain: shift and turn against the rule, in item sizes, the chain in its best pose.
 void add_residuals(const Rule& rule, const Chain& chain, double radius, std::vector<double>& residuals) {
-    const std::vector<Similarity> poses = repetition_poses(rule, static_cast<int>(chain.frames.size()));
+    std::vector<Similarity> poses = repetition_poses(rule, static_cast<int>(chain.frames.size()));
+    std::vector<Similarity> frames = chain.frames;
+    std::size_t present = 0;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+        if (k < chain.items.size() && chain.items[k] < 0) continue;
+        poses[present] = poses[k];
+        frames[present++] = frames[k];
+    }
+    poses.resize(present);
+    frames.resize(present);
     const std::vector<double> radii(poses.size(), radius);
-    const Similarity whole = group_pose(poses, chain.frames, radii);
+    const Similarity whole = group_pose(poses, frames, radii);
     for (std::size_t k = 0; k < poses.size(); ++k) {
         const Similarity predicted = whole * poses[k];
-        const double size = scale_of(chain.frames[k]);
-        const Point shift = (predicted.translation - chain.frames[k].translation) / size;
-        const Complex turn = (predicted.linear - chain.frames[k].linear) * (radius / size);
+        const double size = scale_of(frames[k]);
+        const Point shift = (predicted.translation - frames[k].translation) / size;
+        const Complex turn = (predicted.linear - frames[k].linear) * (radius / size);
         residuals.insert(residuals.end(), {shift.x, shift.y, turn.x, turn.y});
     }
 }

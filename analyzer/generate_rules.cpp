@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analyzer/bridge_gaps.h"
+#include "analyzer/close_rings.h"
 #include "analyzer/propose.h"
 #include "analyzer/substitute.h"
 
@@ -138,6 +139,7 @@ class Search {
         candidate.dead = true;
         for (const int part : made.touched_parts) grids_.forget(part);
         bridge_gaps(state_, grids_, made);
+        close_rings(state_, grids_, made);
         for (const int part : made.touched_parts) ++version(part);
         propose_anew(made);
         consumed_ += static_cast<double>(made.new_items.size());
