@@ -1,6 +1,7 @@
 #include "analyzer/chains.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -341,71 +342,6 @@ std::vector<LinearChain> linear_chains(const RuleSet& rules, const PoseGrid& gri
         if (chain.items.size() >= 3) chains.push_back({chain, to_similarity(step)});
     }
     return chains;
-}
-
-namespace {
-
-/// What decides between chains, computed once each.
-struct Precedence {
-    std::size_t length = 0;
-    bool closed = false, rising = false;
-    int gauge = 0, first = 0;
-    std::size_t index = 0;
-
-    bool before(const Precedence& other) const {
-        if (length != other.length) return length > other.length;
-        if (closed != other.closed) return closed;
-        if (rising != other.rising) return rising;
-        if (gauge != other.gauge) return gauge < other.gauge;
-        if (first != other.first) return first < other.first;
-        return index < other.index;
-    }
-};
-
-Precedence precedence_of(const RuleSet& rules, const Chain& chain, std::size_t index) {
-    int balance = 0;
-    for (std::size_t k = 0; k + 1 < chain.items.size(); ++k) {
-        balance += item_at(rules, chain.items[k]).first < item_at(rules, chain.items[k + 1]).first ? 1 : -1;
-    }
-    return {chain.items.size(), chain.closed, balance > 0, chain.gauge, item_at(rules, chain.items.front()).first, index};
-}
-
-}  // namespace
-
-std::vector<Chain> claimed(const RuleSet& rules, std::vector<Chain> chains) {
-    std::vector<Precedence> order;
-    order.reserve(chains.size());
-    for (std::size_t c = 0; c < chains.size(); ++c) order.push_back(precedence_of(rules, chains[c], c));
-    std::ranges::sort(order, [](const Precedence& a, const Precedence& b) { return a.before(b); });
-    const bool long_ones = !order.empty() && order.front().length >= 4;
-    const std::size_t least = long_ones ? 3 : 2;
-    std::vector<char> used(rules.items.size(), 0);
-    std::vector<Chain> disjoint;
-    for (const Precedence& next : order) {
-        if (next.length < least) break;
-        Chain& chain = chains[next.index];
-        // The longest run of free items.
-        std::size_t best_begin = 0, best_length = 0, begin = 0;
-        for (std::size_t k = 0; k <= chain.items.size(); ++k) {
-            if (k < chain.items.size() && !used[static_cast<std::size_t>(chain.items[k])]) continue;
-            if (k - begin > best_length) {
-                best_length = k - begin;
-                best_begin = begin;
-            }
-            begin = k + 1;
-        }
-        if (best_length < least) continue;
-        if (best_length < chain.items.size()) {
-            const auto from = static_cast<std::ptrdiff_t>(best_begin);
-            const auto to = from + static_cast<std::ptrdiff_t>(best_length);
-            chain.items = {chain.items.begin() + from, chain.items.begin() + to};
-            chain.frames = {chain.frames.begin() + from, chain.frames.begin() + to};
-            chain.closed = false;
-        }
-        for (const int item : chain.items) used[static_cast<std::size_t>(item)] = 1;
-        disjoint.push_back(std::move(chain));
-    }
-    return disjoint;
 }
 
 }  // namespace rinceau

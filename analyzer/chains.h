@@ -38,7 +38,7 @@ std::vector<LinearChain> linear_chains(const RuleSet& rules, const PoseGrid& gri
                                        const PoseTolerance& tolerance);
 
 /// Disjoint chains: longest first (closed before open, in drawing order before against it), later ones cut to their
-/// longest free run. If a chain of four or more exists, runs of two are left to other rules.
+/// longest free run; where straight chains cut each other, all of one direction first if that spares cuts. If a chain of four or more exists, runs of two are left to other rules.
 std::vector<Chain> claimed(const RuleSet& rules, std::vector<Chain> chains);
 
 }  // namespace rinceau

@@ -73,13 +73,16 @@ class Filling {
         }
     }
 
-    /// Distance to the next member in a sequence or ring.
+    /// Distance to the nearest other member in another place.
     double room(const Item& at, std::size_t k) const {
+        constexpr double same_place = 0.1;  // of the size
         const std::vector<Child>& children = part(at.part).children;
-        const RuleKind kind = rules_.rules[static_cast<std::size_t>(part(at.part).rule)].kind;
-        if (kind == RuleKind::group || children.size() < 2) return std::numeric_limits<double>::infinity();
-        const std::size_t next = k + 1 < children.size() ? k + 1 : k - 1;
-        return scale_of(at.pose) * abs(children[next].pose.translation - children[k].pose.translation);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Child& other : children) {
+            const double distance = abs(other.pose.translation - children[k].pose.translation);
+            if (distance > same_place * scale_of(children[k].pose)) nearest = std::min(nearest, distance);
+        }
+        return scale_of(at.pose) * nearest;
     }
 
     std::vector<Candidate> gaps_near(const KdTree& tree, int i) {

@@ -12,7 +12,7 @@ namespace rinceau {
 
 namespace {
 
-constexpr std::size_t few_missing = 2;     // are named one by one; for more, a sequence with another count stands in
+constexpr std::size_t few_missing = 2;  // are named one by one; for more, a sequence with another count stands in
 constexpr std::size_t most_children = 400;  // of a part that is looked for member by member
 
 RuleKind kind_of(const SearchState& state, int part) {
@@ -67,7 +67,7 @@ std::optional<Gathered> gather_sequence(const SearchState& state, GridCache& gri
     }
     const std::size_t of_runs = present;
     std::size_t missing = 0;
-    for (std::size_t k = 0; k < count && 3 * missing <= count; ++k) {
+    for (std::size_t k = 0; k < count && 2 * missing <= count; ++k) {
         if (taken[k]) {
             missing += plan.members[k].item < 0 ? 1 : 0;
             continue;
@@ -81,11 +81,14 @@ std::optional<Gathered> gather_sequence(const SearchState& state, GridCache& gri
             ++missing;
         }
     }
-    const bool one_run = plan.runs.size() == 1 && present == of_runs;
-    if (one_run && missing > few_missing) return Gathered{plan.runs.front(), {}, {}, 1};
-    if (present < 2 || 3 * missing > count) return std::nullopt;
+    // What reads shorter: the gaps, or the longest run instead, which leaves the other pieces where they were.
+    const std::size_t pieces = plan.runs.size() + present - of_runs;
+    const bool gaps_are_few = missing <= few_missing + (pieces > 0 ? 2 * (pieces - 1) : 0);
     plan.exceptions = static_cast<int>(missing);
-    return plan;
+    if (present >= 2 && 2 * missing <= count && gaps_are_few) return plan;
+    if (plan.runs.empty()) return std::nullopt;
+    const int longest = *std::ranges::max_element(plan.runs, {}, [&](int run) { return state.item(run).members.size(); });
+    return Gathered{longest, {}, {}, 1};
 }
 
 std::optional<Gathered> gather_group(const SearchState& state, GridCache& grids, int p, const Similarity& pose,

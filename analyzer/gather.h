@@ -20,8 +20,8 @@ struct Gathered {
     bool missing() const { return item < 0 && members.empty(); }
 };
 
-/// What stands at `pose`, predicted over `distance` (scene length), as an item of `part`; a part is gathered if two thirds of
-/// a sequence or half of a group are there. Only living items are seen.
+/// What stands at `pose`, predicted over `distance` (scene length), as an item of `part`; a part is gathered if half of
+/// it is there; of a sequence, one with another count may stand in for it. Only living items are seen.
 std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int part, const Similarity& pose, double distance);
 
 /// Members of an item of a sequence, from the end whose place is nearer to `first`.

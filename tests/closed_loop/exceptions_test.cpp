@@ -22,10 +22,11 @@ using Place = std::pair<int, int>;  // column, row
 Element tile() { return element(hook(), filled({200, 60, 40})); }
 
 /// A tile of size 10 at each place of the list, `pitch` apart.
-Scene tiles(const std::vector<Place>& places, double pitch = 25) {
+Scene tiles(const std::vector<Place>& places, const Element& look = tile()) {
+    constexpr double pitch = 25;
     Scene scene;
     for (const auto& [column, row] : places) {
-        scene.elements.push_back(placed(tile(), translate({pitch * column, pitch * row}) * scale_by(10)));
+        scene.elements.push_back(placed(look, translate({pitch * column, pitch * row}) * scale_by(10)));
         scene.viewport = including(scene.viewport, painted_box(scene.elements.back()));
     }
     return scene;
@@ -59,16 +60,19 @@ std::size_t leaves_without_exceptions(Grammar grammar) {
 }  // namespace
 
 TEST_CASE("a grid with a few tiles missing is the grid, with an exception for each hole") {
-    for (const int count : {1, 3, 8}) {
-        const std::set<Place> holes = random_holes(count, static_cast<std::uint64_t>(count));
-        const Analysis found = analyze(tiles(grid(10, 10, [&](int c, int r) { return holes.count({c, r}) == 0; })));
-        INFO(count << " holes: " << rules_in_words(found.report));
-        CHECK(rules_in_words(found.report) == "sequence of 10; sequence of 10");
-        CHECK(axiom_symbols(found.grammar) == 1);
-        CHECK(found.report.check.passed);
-        REQUIRE(found.grammar.exceptions.size() == static_cast<std::size_t>(count));
-        for (const Exception& exception : found.grammar.exceptions) CHECK(exception.successor.empty());
-        CHECK(leaves_without_exceptions(found.grammar) == 100);
+    const Element square = element(rectangle(1, 1), filled({60, 60, 200})), disc = element(circle(0.7), filled({60, 200, 60}));
+    for (const Element& look : {tile(), square, disc}) {
+        for (const int count : {1, 3, 8}) {
+            const std::set<Place> holes = random_holes(count, static_cast<std::uint64_t>(count));
+            const Analysis found = analyze(tiles(grid(10, 10, [&](int c, int r) { return holes.count({c, r}) == 0; }), look));
+            INFO(count << " holes: " << rules_in_words(found.report));
+            CHECK(rules_in_words(found.report) == "sequence of 10; sequence of 10");
+            CHECK(axiom_symbols(found.grammar) == 1);
+            CHECK(found.report.check.passed);
+            REQUIRE(found.grammar.exceptions.size() == static_cast<std::size_t>(count));
+            for (const Exception& exception : found.grammar.exceptions) CHECK(exception.successor.empty());
+            CHECK(leaves_without_exceptions(found.grammar) == 100);
+        }
     }
 }
 
@@ -90,6 +94,68 @@ TEST_CASE("a half row at the border of a grid stands where a whole one would, wh
         CHECK(found.report.check.passed);
         CHECK(leaves_without_exceptions(found.grammar) == 80);
     }
+}
+
+TEST_CASE("a square grid of discs is rows of one length in a column") {
+    const Analysis found = analyze(tiles(grid(9, 9, [](int, int) { return true; }), element(circle(0.7), filled({60, 200, 60}))));
+    CHECK(rules_in_words(found.report) == "sequence of 9; sequence of 9");
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.grammar.exceptions.empty());
+}
+
+TEST_CASE("a facade of windows of two parts has its doors as exceptions") {
+    const Element frame = element(rectangle(20, 30), filled({30, 50, 80})), pane = element(rectangle(14, 12), filled({150, 200, 255})),
+                  door = element(rectangle(24, 36), filled({120, 70, 0}));
+    Scene scene;
+    for (const auto& [column, row] : grid(12, 8, [](int, int) { return true; })) {
+        const Similarity place = translate({40.0 * column, 45.0 * row});
+        const bool is_door = row == 0 && (column == 3 || column == 8);
+        if (is_door) {
+            scene.elements.push_back(placed(door, place * translate({0, -3})));
+        } else {
+            scene.elements.push_back(placed(frame, place));
+            scene.elements.push_back(placed(pane, place * translate({0, 4})));
+        }
+    }
+    scene.viewport = {{-20, -30}, {470, 350}};
+    const Analysis found = analyze(scene);
+    CHECK(found.report.productions.size() == 3);
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.report.check.passed);
+    REQUIRE(found.grammar.exceptions.size() == 2);
+    for (const Exception& exception : found.grammar.exceptions) CHECK_FALSE(exception.successor.empty());
+    CHECK(leaves_without_exceptions(found.grammar) == 2 * 96);
+}
+
+TEST_CASE("a ring that lacks a member, or has another thing in its place, is the ring") {
+    const Element disc = element(circle(), filled({60, 200, 60})), other = element(star(5), filled({200, 0, 200}));
+    for (const Element& look : {tile(), disc}) {
+        for (const bool replaced : {false, true}) {
+            Scene scene;
+            for (int k = 0; k < 12; ++k) {
+                if (k == 4 && !replaced) continue;
+                const Similarity place = rotate(two_pi * k / 12) * translate({0, 100}) * scale_by(8);
+                scene.elements.push_back(placed(k == 4 ? other : look, place));
+            }
+            scene.viewport = {{-120, -120}, {120, 120}};
+            const Analysis found = analyze(scene);
+            CHECK(rules_in_words(found.report) == "ring of 12");
+            CHECK(axiom_symbols(found.grammar) == 1);
+            CHECK(found.report.check.passed);
+            REQUIRE(found.grammar.exceptions.size() == 1);
+            CHECK(found.grammar.exceptions[0].successor.empty() == !replaced);
+            CHECK(leaves_without_exceptions(found.grammar) == 12);
+        }
+    }
+}
+
+TEST_CASE("an arc that is far from closing is no ring") {
+    Scene scene;
+    for (int k = 0; k < 8; ++k) scene.elements.push_back(placed(tile(), rotate(two_pi * k / 12) * translate({0, 100}) * scale_by(8)));
+    scene.viewport = {{-120, -120}, {120, 120}};
+    const Analysis found = analyze(scene);
+    CHECK(rules_in_words(found.report) == "sequence of 8");
+    CHECK(found.grammar.exceptions.empty());
 }
 
 TEST_CASE("equal blocks with gaps between them are blocks, not a row with holes") {
