@@ -163,7 +163,8 @@ std::vector<Description> describe_all(const Drawing& drawing, const std::vector<
     std::vector<Reading> readings(tolerances.size());
     std::mutex offering;
     // All tolerances of an opening before the next opening: the search from below takes longest and comes first.
-    run_tasks(tolerances.size() * openings().size(), threads, progress, [&](std::size_t k, const Progress& told) {
+    const std::size_t tried = search.objective == Objective::paper ? 1 : openings().size();  // the paper works from below only
+    run_tasks(tolerances.size() * tried, threads, progress, [&](std::size_t k, const Progress& told) {
         const std::size_t t = k % tolerances.size(), o = k / tolerances.size();
         std::optional<SearchState> opened = openings()[o].open(starts[t], search, told);
         if (!opened) return;
@@ -225,10 +226,12 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     // Rules, at several tolerances; the shortest description that proves right is kept.
     SearchOptions search;
     search.weights = options.weights;
+    search.objective = report_out.objective = options.objective;
+    const bool shortest = options.objective == Objective::bits;
     std::vector<Description> descriptions =
         describe_all(drawing, tolerances(options, scene.elements.size()), search, options.threads, progress);
     std::ranges::stable_sort(descriptions, {}, reading_cost);
-    std::erase_if(descriptions, [](const Description& d) { return d.bits.grammar >= d.bits.drawing; });
+    std::erase_if(descriptions, [&](const Description& d) { return shortest && d.bits.grammar >= d.bits.drawing; });
     report_out.seconds.rules = watch.lap();
 
     // The proof, from the text that will be written. The flat list of all elements is the last resort.
@@ -247,7 +250,7 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
         }
         const DescriptionBits bits = bits_of(description, layered, drawing);
         report_out.check = verify(analysis.grammar, scene, overlaps);
-        if (!last && (!report_out.check.passed || bits.grammar >= bits.drawing)) {
+        if (!last && (!report_out.check.passed || (shortest && bits.grammar >= bits.drawing))) {
             if (!report_out.check.passed) {
                 report_out.warnings.push_back("a shorter grammar was dropped because it did not redraw the picture: " +
                                               report_out.check.summary);

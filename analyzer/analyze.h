@@ -18,6 +18,7 @@ struct AnalyzeOptions {
     /// Largest deviation of a repetition, in element sizes. 0 = several are tried and the shortest grammar is kept.
     double tolerance = 0;
     ImportanceWeights weights;
+    Objective objective = Objective::bits;
     int threads = 0;  ///< 0 = one per processor; the result is the same for any number
 };
 
@@ -50,6 +51,7 @@ struct AnalysisReport {
     double drawing_bits = 0;  ///< docs/analysis.md, "How a drawing and a grammar are measured"
     double grammar_bits = 0;
     double tolerance = 0;  ///< the one that was kept
+    Objective objective = Objective::bits;
     std::vector<std::string> warnings;
     AnalysisSeconds seconds;
 };

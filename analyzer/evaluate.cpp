@@ -231,7 +231,8 @@ PoseTolerance link_tolerance(const SearchState& state) {
     return {link_slack * state.tolerance.size, link_slack * state.tolerance.angle, state.tolerance.per_distance};
 }
 
-double optimistic_score(const SearchState& state, const Hypothesis& hypothesis) {
+double optimistic_score(const SearchState& state, const Hypothesis& hypothesis, const SearchOptions& options) {
+    if (options.objective == Objective::paper) return greatest_importance(options.weights);
     const bool closing = state.part(hypothesis.from).rule >= 0 && state.alive(hypothesis.from).size() <= closing_groups;
     const auto votes = static_cast<double>(hypothesis.votes.size());
     if (!closing && log2_chance(state, hypothesis, link_hope * votes, 1) > false_alarm_bits) return 0;
@@ -263,9 +264,14 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
             evaluation.ambiguity = again_ambiguity;
         }
     }
+    evaluation.known_rule = known_rule(state, hypothesis, evaluation.step);
+    if (options.objective == Objective::paper) {
+        evaluation.terms = importance_terms(state, evaluation.chains, evaluation.step);
+        evaluation.gain = evaluation.score = 1;  // whatever repeats is taken
+        return evaluation;
+    }
     const bool repeats = hypothesis.kind != RuleKind::group;
     const Tally sum = tally(state, evaluation.chains, evaluation.step, hypothesis.kind != RuleKind::linear);
-    evaluation.known_rule = known_rule(state, hypothesis, evaluation.step);
     double rule_bits = 0;
     if (evaluation.known_rule < 0) {
         rule_bits = rule_head_bits + step_bits(state, hypothesis.from, hypothesis.to, evaluation.step);

@@ -9,13 +9,14 @@
 
 #include "analyzer/chains.h"
 #include "analyzer/hypothesis.h"
-#include "analyzer/importance.h"
+#include "analyzer/importance_terms.h"
 #include "analyzer/search_state.h"
 
 namespace rinceau {
 
 struct SearchOptions {
     ImportanceWeights weights;
+    Objective objective = Objective::bits;
     double future = 0.5;  ///< share of the saving that equal groups may bring again on the next level
 };
 
@@ -36,6 +37,7 @@ struct Evaluation {
     Similarity step;            ///< refined on the chains
     double gain = 0;            ///< bits saved, all weights neutral: only > 0 is ever accepted
     double score = 0;           ///< weighted, with the hope for the next level: decides the order
+    ImportanceTerms terms;      ///< Objective::paper: they decide instead
     int known_rule = -1;        ///< a rule that says the same already
     double ambiguity = 1;       ///< of a group: places where its second part could be found, for each that was used
 };
@@ -47,6 +49,6 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
 PoseTolerance link_tolerance(const SearchState& state);
 
 /// Before anything is looked up: an upper bound for the score.
-double optimistic_score(const SearchState& state, const Hypothesis& hypothesis);
+double optimistic_score(const SearchState& state, const Hypothesis& hypothesis, const SearchOptions& options);
 
 }  // namespace rinceau

@@ -59,7 +59,7 @@ class Search {
 
     void add(std::vector<Hypothesis> hypotheses) {
         for (Hypothesis& hypothesis : hypotheses) {
-            const double bound = optimistic_score(state_, hypothesis);
+            const double bound = optimistic_score(state_, hypothesis, options_);
             if (bound <= 0) continue;
             queue_.push({bound, candidates_.size()});
             Candidate candidate;
@@ -120,16 +120,28 @@ class Search {
                 candidate.version_to = version(candidate.hypothesis.to);
                 const bool worth = candidate.evaluation.gain > 0 && candidate.evaluation.score > 0;
                 if (worth) {
-                    queue_.push({candidate.evaluation.score, entry.candidate});
+                    queue_.push({score_of(candidate.evaluation), entry.candidate});
                 } else {
                     candidate.evaluation = {};
                 }
+                continue;
+            }
+            // Shares of the largest have shrunk if a larger one was met since.
+            if (const double score = score_of(candidate.evaluation); score < entry.score) {
+                queue_.push({score, entry.candidate});
                 continue;
             }
             if (apply(candidate)) return true;
             candidate.dead = true;
         }
         return false;
+    }
+
+    double score_of(const Evaluation& evaluation) {
+        if (options_.objective == Objective::bits) return evaluation.score;
+        largest_.elements = std::max(largest_.elements, evaluation.terms.elements);
+        largest_.length = std::max(largest_.length, evaluation.terms.length);
+        return importance(evaluation.terms, largest_, options_.weights);
     }
 
     bool apply(Candidate& candidate) {
@@ -166,6 +178,7 @@ class Search {
     std::priority_queue<Entry> queue_;
     std::vector<long> versions_;
     std::vector<Proposals> proposals_;
+    ImportanceTerms largest_;  // of all hypotheses so far
     double consumed_ = 0;
 };
 

@@ -110,6 +110,11 @@ void add_recognition_options(CLI::App& verb, AnalyzeVerbOptions& options) {
             "What is preferred, 0 to 4, 1 = neutral: n many repetitions, h near elements, phi small deviations, l long "
             "sequences")
         ->type_name("n=..,h=..,phi=..,l=..");
+    verb.add_option_function<std::string>(
+            "--objective", [&options](const std::string& text) { options.analyze.objective = parse_objective(text); },
+            "What decides on the next rule: what it saves in bits, or the importance function of Stava et al. 2010, which "
+            "joins whatever repeats")
+        ->type_name("bits|paper");
     verb.add_option("--threads", options.analyze.threads,
                     "Threads; 0 = one per processor; the result is the same for any number")
         ->check(CLI::Range(0, most_threads))

@@ -56,6 +56,7 @@ std::string report_json(const AnalysisReport& report, const ReportContext& conte
     json["error"] = {{"max", report.check.max_deviation}, {"rms", report.check.rms_deviation}};
     json["size"] = {{"drawing_bits", report.drawing_bits}, {"grammar_bits", report.grammar_bits}};
     json["tolerance"] = report.tolerance;
+    json["objective"] = report.objective == Objective::bits ? "bits" : "paper";
     json["warnings"] = warnings_json(context.warnings, report.warnings);
     json["seconds"] = seconds_json(report.seconds, context);
     constexpr int indent = 2;

@@ -38,6 +38,7 @@ std::string summary_line(const AnalysisReport& report) {
                        count(static_cast<int>(report.productions.size()), "rule", "rules") + "; " +
                        bits(report.grammar_bits) + " bits instead of " + bits(report.drawing_bits) + "; largest deviation " +
                        short_number(report.check.max_deviation) + " of the diagonal";
+    if (report.objective == Objective::paper) line += "; rules in the order of the paper's importance function";
     if (report.verbatim > 0) line += "; " + count(report.verbatim, "element", "elements") + " kept verbatim";
     return line;
 }

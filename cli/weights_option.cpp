@@ -53,4 +53,10 @@ ImportanceWeights parse_weights(const std::string& text) {
     }
 }
 
+Objective parse_objective(const std::string& text) {
+    if (text == "bits") return Objective::bits;
+    if (text == "paper") return Objective::paper;
+    throw CLI::ValidationError("--objective", "expected bits or paper, found '" + text + "'");
+}
+
 }  // namespace rinceau

@@ -14,8 +14,9 @@ namespace {
 
 constexpr const char* usage =
     "usage: analyze_bench [--largest ELEMENTS] [--only NAME] [--seeds COUNT] [--corpus FOLDER]\n"
+    "                     [--objective bits|paper|both]\n"
     "Without --corpus: every drawing with known rules, expected rules/axiom symbols beside those found.\n"
-    "--corpus: every .svg of the folder.\n";
+    "--corpus: every .svg of the folder. --objective both: rules and bits of both, side by side.\n";
 
 struct Arguments {
     SceneTableOptions scenes;
@@ -32,6 +33,11 @@ bool read_option(std::string_view name, std::string_view value, Arguments& argum
     if (name == "--largest") return read_number(value, arguments.scenes.largest);
     if (name == "--seeds") return read_number(value, arguments.scenes.seeds);
     if (name == "--only") return arguments.scenes.only = value, true;
+    if (name == "--objective") {
+        arguments.scenes.objective = value == "paper" ? rinceau::Objective::paper : rinceau::Objective::bits;
+        arguments.scenes.both = value == "both";
+        return value == "bits" || value == "paper" || value == "both";
+    }
     if (name == "--corpus") return arguments.corpus = value, true;
     return false;
 }
@@ -56,7 +62,7 @@ int main(int argc, char** argv) {
         print_scene_table(arguments.scenes);
         return 0;
     }
-    if (print_drawing_table(arguments.corpus, arguments.scenes.both_objectives)) return 0;
+    if (print_drawing_table(arguments.corpus, arguments.scenes.objective, arguments.scenes.both)) return 0;
     std::fprintf(stderr, "%s: no .svg in it\n", arguments.corpus.c_str());
     return 1;
 }

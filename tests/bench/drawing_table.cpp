@@ -69,13 +69,17 @@ struct DrawingRow {
     double ratio() const { return analysis.report.drawing_bits / std::max(1.0, analysis.report.grammar_bits); }
 };
 
-DrawingRow row_of(const std::filesystem::path& file) {
+Scene scene_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream bytes;
     bytes << stream.rdbuf();
+    return read_svg(bytes.str(), {.file_name = file.filename().string()}).scene;
+}
+
+DrawingRow row_of(const std::filesystem::path& file, Objective objective) {
+    const Scene scene = scene_of(file);
     const auto start = std::chrono::steady_clock::now();
-    const Scene scene = read_svg(bytes.str(), {.file_name = file.filename().string()}).scene;
-    DrawingRow row{file.filename().string(), analyze(scene), 0};
+    DrawingRow row{file.filename().string(), analyze(scene, {.objective = objective}), 0};
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return row;
 }
@@ -105,6 +109,21 @@ void print_head() {
                 "resid", "miss", "stand", "bits", "as rules", "ratio", "deviat.", "seconds");
 }
 
+void print_both_head() {
+    std::printf("%-30s %6s %10s  %11s %9s %8s  %11s %9s %8s\n", "file", "N", "bits", "ours", "bits", "seconds", "paper's", "bits",
+                "seconds");
+}
+
+void print_both(const DrawingRow& ours, const DrawingRow& theirs) {
+    const auto counts = [](const DrawingRow& row) {
+        return std::to_string(row.analysis.report.productions.size()) + "/" + std::to_string(axiom_symbols(row.analysis.grammar));
+    };
+    std::printf("%-30s %6d %10.0f  %11s %9.0f %8.2f  %11s %9.0f %8.2f\n", ours.name.c_str(), ours.analysis.report.elements,
+                ours.analysis.report.drawing_bits, counts(ours).c_str(), ours.analysis.report.grammar_bits, ours.seconds,
+                counts(theirs).c_str(), theirs.analysis.report.grammar_bits, theirs.seconds);
+    std::fflush(stdout);
+}
+
 void print_summary(std::vector<double> ratios) {
     if (ratios.empty()) return;
     std::ranges::sort(ratios);
@@ -115,15 +134,15 @@ void print_summary(std::vector<double> ratios) {
 
 }  // namespace
 
-bool print_drawing_table(const std::string& folder, bool) {
+bool print_drawing_table(const std::string& folder, Objective objective, bool both) {
     const std::vector<std::filesystem::path> files = drawings_in(folder);
     if (files.empty()) return false;
-    print_head();
+    both ? print_both_head() : print_head();
     std::vector<double> ratios;
     for (const std::filesystem::path& file : files) {
         try {
-            const DrawingRow row = row_of(file);
-            print_row(row);
+            const DrawingRow row = row_of(file, objective);
+            both ? print_both(row, row_of(file, Objective::paper)) : print_row(row);
             ratios.push_back(row.ratio());
         } catch (const std::exception& error) {
             std::printf("%-30s %s\n", file.filename().string().c_str(), error.what());

@@ -91,19 +91,45 @@ void print_row(const ListedScene& scene, const SceneRow& row) {
     std::fflush(stdout);
 }
 
-}  // namespace
+void print_both(const std::vector<ListedScene>& scenes) {
+    std::printf("%-13s %-28s %6s  %9s  %9s %8s %8s  %9s %8s %8s\n", "family", "scene", "N", "expected", "ours", "bits", "seconds",
+                "paper's", "bits", "seconds");
+    for (const ListedScene& scene : scenes) {
+        const Scene drawing = scene.make(1);
+        const Finding ours = finding_in(scene, drawing, {}), theirs = finding_in(scene, drawing, {.objective = Objective::paper});
+        const auto counts = [](const Finding& finding) { return std::to_string(finding.rules) + "/" + std::to_string(finding.axiom); };
+        const std::string expected = range_text(scene.rules, scene.most_rules) + "/" + std::to_string(scene.axiom_symbols);
+        std::printf("%-13s %-28s %6d  %9s  %9s %8.0f %8.3f  %9s %8.0f %8.3f\n", scene.family.c_str(), scene.name.c_str(), ours.elements,
+                    expected.c_str(), counts(ours).c_str(), ours.grammar_bits, ours.seconds, counts(theirs).c_str(), theirs.grammar_bits,
+                    theirs.seconds);
+        std::fflush(stdout);
+    }
+}
 
-void print_scene_table(const SceneTableOptions& options) {
+std::vector<ListedScene> chosen_scenes(const SceneTableOptions& options) {
+    std::vector<ListedScene> scenes = listed_scenes(options.largest);
+    std::erase_if(scenes, [&](const ListedScene& scene) {
+        return (scene.family + " " + scene.name).find(options.only) == std::string::npos;
+    });
+    return scenes;
+}
+
+void print_findings(const SceneTableOptions& options, const std::vector<ListedScene>& scenes) {
     std::printf("%-13s %-28s %6s  %9s %9s %6s  %9s %8s %7s  %8s %8s  %s\n", "family", "scene", "N", "expected", "found", "except",
                 "bits", "as rules", "ratio", "deviat.", "seconds", "verdict");
     int counts[3] = {0, 0, 0};
-    for (const ListedScene& scene : listed_scenes(options.largest)) {
-        if ((scene.family + " " + scene.name).find(options.only) == std::string::npos) continue;
-        const SceneRow row = row_of(scene, options.seeds, {});
+    for (const ListedScene& scene : scenes) {
+        const SceneRow row = row_of(scene, options.seeds, {.objective = options.objective});
         print_row(scene, row);
         ++counts[static_cast<int>(row.verdict)];
     }
     std::printf("%d found, %d partly, %d missed\n", counts[2], counts[1], counts[0]);
+}
+
+}  // namespace
+
+void print_scene_table(const SceneTableOptions& options) {
+    options.both ? print_both(chosen_scenes(options)) : print_findings(options, chosen_scenes(options));
 }
 
 }  // namespace rinceau::test

@@ -78,6 +78,7 @@ TEST_CASE("A wrong command line gives status 2 and leaves standard output empty"
         {"analyze", svg, "--weights", "q=1"},
         {"analyze", svg, "--weights", "n=5"},
         {"analyze", svg, "--weights", ""},
+        {"analyze", svg, "--objective", "taste"},
         {"analyze", svg, "-o", "rules.txt"},
         {"analyze", svg, "-o", "-", "--print"},
         {"analyze", svg, "--report", "report.svg"},
