@@ -1,6 +1,7 @@
 #include "analyzer/generate_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <set>
 
@@ -21,6 +22,12 @@ struct Candidate {
     long generation = 0;                      // of its part's proposals, see propose_again
     bool dead = false;
 };
+
+/// Scores that differ by rounding only are equal: the order of the candidates decides, on any machine.
+double rounded(double score) {
+    constexpr double per_bit = 1 << 20;
+    return std::round(score * per_bit) / per_bit;
+}
 
 struct Entry {
     double score;
@@ -61,7 +68,7 @@ class Search {
         for (Hypothesis& hypothesis : hypotheses) {
             const double bound = optimistic_score(state_, hypothesis, options_);
             if (bound <= 0) continue;
-            queue_.push({bound, candidates_.size()});
+            queue_.push({rounded(bound), candidates_.size()});
             Candidate candidate;
             candidate.generation = proposals_of(hypothesis.from).generation;
             candidate.hypothesis = std::move(hypothesis);
@@ -120,7 +127,7 @@ class Search {
                 candidate.version_to = version(candidate.hypothesis.to);
                 const bool worth = candidate.evaluation.gain > 0 && candidate.evaluation.score > 0;
                 if (worth) {
-                    queue_.push({score_of(candidate.evaluation), entry.candidate});
+                    queue_.push({rounded(score_of(candidate.evaluation)), entry.candidate});
                 } else {
                     candidate.evaluation = {};
                 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "analyzer/canonical_step.h"
 #include "geometry/kd_tree.h"
@@ -29,33 +30,53 @@ VoteCell vote_cell(const SearchState& state, int to) {
     return cell;
 }
 
-/// For each item of a list its nearest others of the same list, as items.
-std::vector<std::vector<int>> neighbour_lists(const SearchState& state, const std::vector<int>& items, std::size_t count) {
-    std::vector<Point> origins;
-    origins.reserve(items.size());
-    for (const int i : items) origins.push_back(state.item(i).pose.translation);
-    const KdTree tree(origins);
-    std::vector<std::vector<int>> lists(items.size());
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        for (const Neighbor& neighbour : tree.nearest(origins[k], count + 1)) {
-            if (neighbour.index != k) lists[k].push_back(items[neighbour.index]);
-        }
-        if (lists[k].size() > count) lists[k].resize(count);
+/// The living items of a part in a row, with their nearest others: what votes are made of. Others are known by their places
+/// in the row.
+struct Voting {
+    const Part& part;
+    const std::vector<int>& items;
+    std::vector<Similarity> poses;
+    std::vector<int> others;
+    std::size_t others_each = 0;
+
+    std::span<const int> near(std::size_t k) const { return {others.data() + k * others_each, others_each}; }
+    std::span<const int> nearest_few(std::size_t k) const {
+        return near(k).first(std::min(others_each, neighbours_for_triples));
     }
-    return lists;
+    const Similarity& pose(int k) const { return poses[static_cast<std::size_t>(k)]; }
+    int item(int k) const { return items[static_cast<std::size_t>(k)]; }
+};
+
+Voting voting_of(const SearchState& state, int p) {
+    Voting voting{state.part(p), state.alive(p), {}, {}};
+    std::vector<Point> origins;
+    voting.poses.reserve(voting.items.size());
+    origins.reserve(voting.items.size());
+    for (const int i : voting.items) {
+        voting.poses.push_back(state.item(i).pose);
+        origins.push_back(state.item(i).pose.translation);
+    }
+    const std::size_t all_others = voting.items.size() - 1;
+    voting.others_each = voting.items.size() <= small_part ? all_others : std::min(neighbours_in_part, all_others);
+    voting.others = KdTree(origins).nearest_others(voting.others_each);
+    return voting;
+}
+
+void add_hypothesis(std::vector<Hypothesis>& hypotheses, const Hypothesis& pattern, const StepCluster& cluster,
+                    const Similarity& step, std::size_t votes_in_space) {
+    Hypothesis hypothesis = pattern;
+    hypothesis.step = step;
+    hypothesis.turn_change = cluster.turn_change;
+    hypothesis.spin_change = cluster.spin_change;
+    hypothesis.votes.reserve(cluster.votes.size());
+    for (const Voters& vote : cluster.votes) hypothesis.votes.emplace_back(vote.source, vote.target);
+    hypothesis.votes_in_space = static_cast<double>(votes_in_space);
+    hypotheses.push_back(std::move(hypothesis));
 }
 
 void add_hypotheses(std::vector<Hypothesis>& hypotheses, const Hypothesis& pattern, const std::vector<StepCluster>& clusters,
                     std::size_t votes_in_space) {
-    for (const StepCluster& cluster : clusters) {
-        Hypothesis hypothesis = pattern;
-        hypothesis.step = cluster.step;
-        hypothesis.turn_change = cluster.turn_change;
-        hypothesis.spin_change = cluster.spin_change;
-        for (const StepVote& vote : cluster.votes) hypothesis.votes.emplace_back(vote.source, vote.target);
-        hypothesis.votes_in_space = static_cast<double>(votes_in_space);
-        hypotheses.push_back(std::move(hypothesis));
-    }
+    for (const StepCluster& cluster : clusters) add_hypothesis(hypotheses, pattern, cluster, cluster.step, votes_in_space);
 }
 
 double still_of(const SearchState& state) { return state.tolerance.size; }
@@ -65,8 +86,8 @@ double still_of(const SearchState& state) { return state.tolerance.size; }
 std::vector<Similarity> continuing_steps(const SearchState& state, const Part& part, const StepCluster& cluster) {
     constexpr std::size_t most_variants = 3;
     if (part.symmetry.elements.size() < 2 || abs(cluster.step.translation) <= still_of(state)) return {cluster.step};
-    std::map<int, std::vector<int>> targets;
-    for (const StepVote& vote : cluster.votes) targets[vote.source].push_back(vote.target);
+    // The votes stand in the order of their sources.
+    const std::vector<Voters>& votes = cluster.votes;
     struct Variant {
         Similarity step;
         int pairs = 0;
@@ -78,13 +99,12 @@ std::vector<Similarity> continuing_steps(const SearchState& state, const Part& p
     }
     std::ranges::stable_sort(variants, {}, [](const Variant& v) { return std::abs(arg(v.step.linear)); });
     const double turn = state.tolerance.turn(part.radius) + state.tolerance.shift(1, 0);
-    for (const StepVote& vote : cluster.votes) {
-        const Point way = state.item(vote.target).pose.translation - state.item(vote.source).pose.translation;
-        const auto onward = targets.find(vote.target);
-        if (onward == targets.end()) continue;
-        for (const int next : onward->second) {
-            if (next == vote.source) continue;
-            const Complex ratio = (state.item(next).pose.translation - state.item(vote.target).pose.translation) / way;
+    for (const Voters& vote : votes) {
+        const Point here = state.item(vote.target).pose.translation;
+        const Point way = here - state.item(vote.source).pose.translation;
+        for (const Voters& onward : std::ranges::equal_range(votes, vote.target, {}, &Voters::source)) {
+            if (onward.target == vote.source) continue;
+            const Complex ratio = (state.item(onward.target).pose.translation - here) / way;
             for (Variant& variant : variants) {
                 if (abs(ratio / abs(ratio) - variant.step.linear / abs(variant.step.linear)) <= turn) ++variant.pairs;
             }
@@ -100,54 +120,46 @@ std::vector<Similarity> continuing_steps(const SearchState& state, const Part& p
 }
 
 /// Constant steps between directed items, and concentric steps of any.
-void propose_constant_steps(const SearchState& state, int p, const std::vector<std::vector<int>>& neighbours,
-                            std::vector<Hypothesis>& hypotheses) {
-    const Part& part = state.part(p);
-    const std::vector<int>& items = state.alive(p);
+void propose_constant_steps(const SearchState& state, int p, const Voting& voting, std::vector<Hypothesis>& hypotheses) {
+    const Part& part = voting.part;
     const VoteCell cell = vote_cell(state, p);
     StepVotes votes;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        for (const int j : neighbours[k]) {
-            const Similarity step = step_between(state.item(items[k]).pose, state.item(j).pose);
+    for (std::size_t k = 0; k < voting.items.size(); ++k) {
+        const Similarity from_here = inverse(voting.poses[k]);
+        for (const int j : voting.near(k)) {
+            const Similarity step = from_here * voting.pose(j);
             if (part.symmetry.continuous && abs(step.translation) > still_of(state)) continue;
             const Similarity canonical = canonical_step(part, part, step, still_of(state));
-            votes.add({canonical, items[k], j}, step_coordinates(canonical, cell));
+            votes.add({canonical, voting.items[k], voting.item(j)}, step_coordinates(canonical, cell));
         }
     }
-    const std::size_t least = items.size() <= few_items ? 1 : 2;
-    std::vector<StepCluster> clusters;
+    const std::size_t least = voting.items.size() <= few_items ? 1 : 2;
     for (const StepCluster& cluster : votes.clusters(least, most_sequences)) {
         for (const Similarity& step : continuing_steps(state, part, cluster)) {
-            clusters.push_back(cluster);
-            clusters.back().step = step;
+            add_hypothesis(hypotheses, {RuleKind::sequence, p, p}, cluster, step, votes.size());
         }
     }
-    add_hypotheses(hypotheses, {RuleKind::sequence, p, p}, clusters, votes.size());
 }
 
 /// Parts without direction: pairs (distance and size) and triples (turn as well).
-void propose_directed_steps(const SearchState& state, int p, const std::vector<std::vector<int>>& neighbours,
-                            std::vector<Hypothesis>& hypotheses) {
-    const std::vector<int>& items = state.alive(p);
-    std::map<int, std::size_t> slot;
-    for (std::size_t k = 0; k < items.size(); ++k) slot[items[k]] = k;
+void propose_directed_steps(const SearchState& state, int p, const Voting& voting, std::vector<Hypothesis>& hypotheses) {
     const VoteCell cell = vote_cell(state, p);
     StepVotes pairs, triples;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        const Similarity& a = state.item(items[k]).pose;
-        for (const int j : neighbours[k]) {
-            const Similarity& b = state.item(j).pose;
+    for (std::size_t k = 0; k < voting.items.size(); ++k) {
+        const Similarity& a = voting.poses[k];
+        for (const int j : voting.near(k)) {
+            const Similarity& b = voting.pose(j);
             const Point way = b.translation - a.translation;
             const double advance = abs(way) / scale_of(a);
             const double growth = scale_of(b) / scale_of(a);
             if (advance <= still_of(state)) continue;
+            const Voters voters{voting.items[k], voting.item(j)};
             const Similarity pair{{growth, 0}, {0, advance}, false};
-            if (growth <= 1 + state.tolerance.angle) pairs.add({pair, items[k], j}, step_coordinates(pair, cell));
-            const auto& onward = neighbours[slot[j]];
-            for (std::size_t n = 0; n < std::min(onward.size(), neighbours_for_triples); ++n) {
-                const int l = onward[n];
-                if (l == items[k]) continue;
-                const Similarity& c = state.item(l).pose;
+            if (growth <= 1 + state.tolerance.angle)
+                pairs.add({pair, voters.source, voters.target}, step_coordinates(pair, cell));
+            for (const int l : voting.nearest_few(static_cast<std::size_t>(j))) {
+                if (static_cast<std::size_t>(l) == k) continue;
+                const Similarity& c = voting.pose(l);
                 const Point next_way = c.translation - b.translation;
                 const double reach = state.tolerance.shift(scale_of(b), abs(next_way));
                 if (std::abs(abs(next_way) - advance * scale_of(b)) > reach) continue;
@@ -156,7 +168,7 @@ void propose_directed_steps(const SearchState& state, int p, const std::vector<s
                 // Walked the other way, an even chain turns the other way.
                 if (turn < -state.tolerance.angle && std::abs(growth - 1) <= state.tolerance.angle) continue;
                 const Similarity step{polar(growth, turn), {0, advance}, false};
-                triples.add({step, items[k], j}, step_coordinates(step, cell));
+                triples.add({step, voters.source, voters.target}, step_coordinates(step, cell));
             }
         }
     }
@@ -164,36 +176,43 @@ void propose_directed_steps(const SearchState& state, int p, const std::vector<s
     pattern.directed = true;
     add_hypotheses(hypotheses, pattern, triples.clusters(1, most_sequences), triples.size());
     pattern.pairs_only = true;
-    const std::size_t least = items.size() <= few_items ? 1 : 2;
+    const std::size_t least = voting.items.size() <= few_items ? 1 : 2;
     add_hypotheses(hypotheses, pattern, pairs.clusters(least, most_sequences), pairs.size());
 }
 
+/// The steps from every item of a row to its nearest few, in a row as well.
+std::vector<TurtleStep> steps_to_nearest_few(const SearchState& state, const Voting& voting) {
+    std::vector<TurtleStep> steps;
+    for (std::size_t k = 0; k < voting.items.size(); ++k) {
+        const Similarity from_here = inverse(voting.poses[k]);
+        for (const int j : voting.nearest_few(k)) steps.push_back(to_turtle_step(from_here * voting.pose(j), still_of(state)));
+    }
+    return steps;
+}
+
 /// Steps of constant d and s whose alpha and beta grow evenly (eq. 4).
-void propose_linear_steps(const SearchState& state, int p, const std::vector<std::vector<int>>& neighbours,
-                          std::vector<Hypothesis>& hypotheses) {
+void propose_linear_steps(const SearchState& state, int p, const Voting& voting, std::vector<Hypothesis>& hypotheses) {
     constexpr double largest_change = pi / 3;
-    const std::vector<int>& items = state.alive(p);
-    std::map<int, std::size_t> slot;
-    for (std::size_t k = 0; k < items.size(); ++k) slot[items[k]] = k;
     const VoteCell cell = vote_cell(state, p);
+    const std::vector<TurtleStep> steps = steps_to_nearest_few(state, voting);
+    const std::size_t few = voting.nearest_few(0).size();
     StepVotes votes;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        for (std::size_t n = 0; n < std::min(neighbours[k].size(), neighbours_for_triples); ++n) {
-            const int j = neighbours[k][n];
-            const Similarity first = step_between(state.item(items[k]).pose, state.item(j).pose);
-            const TurtleStep t1 = to_turtle_step(first, still_of(state));
+    for (std::size_t k = 0; k < voting.items.size(); ++k) {
+        for (std::size_t n = 0; n < few; ++n) {
+            const TurtleStep& t1 = steps[k * few + n];
             if (t1.advance <= 0 || t1.mirrored) continue;
-            const auto& onward = neighbours[slot[j]];
-            for (std::size_t m = 0; m < std::min(onward.size(), neighbours_for_triples); ++m) {
-                if (onward[m] == items[k]) continue;
-                const TurtleStep t2 = to_turtle_step(step_between(state.item(j).pose, state.item(onward[m]).pose));
+            const auto j = static_cast<std::size_t>(voting.near(k)[n]);
+            for (std::size_t m = 0; m < few; ++m) {
+                if (static_cast<std::size_t>(voting.near(j)[m]) == k) continue;
+                const TurtleStep& t2 = steps[j * few + m];
                 if (t2.mirrored || std::abs(t2.advance - t1.advance) > state.tolerance.shift(1, t1.advance)) continue;
                 if (std::abs(t2.scale / t1.scale - 1) > state.tolerance.turn(1)) continue;
                 const double turn_change = wrap_angle(t2.turn - t1.turn);
                 const double spin_change = wrap_angle(t2.spin - t1.spin);
                 if (std::abs(turn_change) > largest_change || std::abs(spin_change) > largest_change) continue;
                 if (std::abs(turn_change) + std::abs(spin_change) < 2 * state.tolerance.angle) continue;
-                const StepVote vote{first, items[k], j, turn_change, spin_change};
+                const Similarity first = inverse(voting.poses[k]) * voting.poses[j];
+                const StepVote vote{first, voting.items[k], voting.items[j], turn_change, spin_change};
                 votes.add(vote, linear_coordinates(vote, cell));
             }
         }
@@ -207,13 +226,12 @@ std::vector<Hypothesis> propose_sequences(const SearchState& state, int p) {
     std::vector<Hypothesis> hypotheses;
     const std::vector<int>& items = state.alive(p);
     if (items.size() < 2) return hypotheses;
-    const std::size_t count = items.size() <= small_part ? items.size() - 1 : neighbours_in_part;
-    const auto neighbours = neighbour_lists(state, items, count);
-    propose_constant_steps(state, p, neighbours, hypotheses);
+    const Voting voting = voting_of(state, p);
+    propose_constant_steps(state, p, voting, hypotheses);
     if (state.part(p).symmetry.continuous) {
-        propose_directed_steps(state, p, neighbours, hypotheses);
+        propose_directed_steps(state, p, voting, hypotheses);
     } else if (state.part(p).symmetry.elements.size() <= 2 && items.size() >= 4) {
-        propose_linear_steps(state, p, neighbours, hypotheses);
+        propose_linear_steps(state, p, voting, hypotheses);
     }
     return hypotheses;
 }
@@ -247,8 +265,6 @@ std::vector<Hypothesis> propose_groups(const SearchState& state, const std::vect
     const KdTree tree(origins);
 
     std::map<std::pair<int, int>, PairSpace> spaces, directed_spaces;
-    std::vector<char> asked(state.rules.items.size(), 0);
-    for (const int i : items) asked[static_cast<std::size_t>(i)] = 1;
     for (const int i : items) {
         for (const Neighbor& neighbour : tree.nearest(state.item(i).pose.translation, neighbours_in_scene + 1)) {
             const int j = living[neighbour.index];

@@ -21,85 +21,110 @@ VoteCoordinates linear_coordinates(const StepVote& vote, const VoteCell& cell) {
             vote.turn_change / (finer * cell.spin), vote.spin_change / (finer * cell.spin)};
 }
 
-std::uint64_t StepVotes::key(const std::array<std::int64_t, 4>& at, bool mirrored) const {
-    std::uint64_t hash = mirrored ? 0x9E3779B97F4A7C15ULL : 0x2545F4914F6CDD1DULL;
-    for (const std::int64_t part : at) {
-        hash ^= static_cast<std::uint64_t>(part) + 0x9E3779B97F4A7C15ULL + (hash << 6U) + (hash >> 2U);
+namespace {
+
+using Cell = std::array<std::int64_t, 4>;
+
+/// Different cells may share a key: who looks there compares coordinates.
+std::uint64_t key_of(const Cell& cell, bool mirrored) {
+    std::uint64_t key = mirrored ? 0x9E3779B97F4A7C15ULL : 0x2545F4914F6CDD1DULL;
+    for (const std::int64_t part : cell) {
+        key ^= static_cast<std::uint64_t>(part) + 0x9E3779B97F4A7C15ULL + (key << 6U) + (key >> 2U);
     }
-    return hash;
+    return key;
 }
 
-void StepVotes::add(const StepVote& vote, const VoteCoordinates& at) {
-    for (const double c : at) {
-        if (!std::isfinite(c) || std::abs(c) > 1e15) return;
-    }
-    ++count_;
-    // Look in the 2^4 nearest cells for a cluster whose seed lies within one cell.
-    std::array<std::int64_t, 4> base{};
-    std::array<std::int64_t, 4> side{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double low = std::floor(at[k]);
-        base[k] = static_cast<std::int64_t>(low);
-        side[k] = at[k] - low < 0.5 ? -1 : 1;
-    }
-    int best = -1;
+Cell cell_of(const VoteCoordinates& at) {
+    Cell cell{};
+    for (std::size_t k = 0; k < at.size(); ++k) cell[k] = static_cast<std::int64_t>(std::floor(at[k]));
+    return cell;
+}
+
+}  // namespace
+
+int StepVotes::nearest_bin(const VoteCoordinates& at, bool mirrored) const {
+    // A seed within one cell lies in one of the 2^4 nearest cells.
+    const Cell base = cell_of(at);
+    Cell side{};
+    for (std::size_t k = 0; k < at.size(); ++k) side[k] = at[k] - static_cast<double>(base[k]) < 0.5 ? -1 : 1;
+    int best = IndexMap::none;
     double best_distance = 1;
     for (unsigned corner = 0; corner < 16; ++corner) {
-        std::array<std::int64_t, 4> cell = base;
-        for (std::size_t k = 0; k < 4; ++k) {
+        Cell cell = base;
+        for (std::size_t k = 0; k < cell.size(); ++k) {
             if ((corner >> k) & 1U) cell[k] += side[k];
         }
-        const auto found = bins_at_.find(key(cell, vote.step.mirrored));
-        if (found == bins_at_.end()) continue;
-        for (const int b : found->second) {
+        int b = last_in_cell_.find(key_of(cell, mirrored));
+        for (; b != IndexMap::none; b = bins_[static_cast<std::size_t>(b)].next_in_cell) {
             const Bin& bin = bins_[static_cast<std::size_t>(b)];
-            if (bin.mirrored != vote.step.mirrored) continue;
+            if (bin.mirrored != mirrored) continue;
             double distance = 0;
-            for (std::size_t k = 0; k < 4; ++k) distance = std::max(distance, std::abs(bin.seed[k] - at[k]));
+            for (std::size_t k = 0; k < at.size(); ++k) distance = std::max(distance, std::abs(bin.seed[k] - at[k]));
             if (distance < best_distance || (distance == best_distance && b < best)) {
                 best_distance = distance;
                 best = b;
             }
         }
     }
-    if (best < 0) {
-        best = static_cast<int>(bins_.size());
-        bins_.push_back({at, vote.step.mirrored, {}});
-        bins_at_[key(base, vote.step.mirrored)].push_back(best);
-    }
-    bins_[static_cast<std::size_t>(best)].votes.push_back(vote);
+    return best;
 }
 
-static StepCluster cluster_of(const std::vector<StepVote>& votes) {
-    StepCluster cluster;
-    cluster.votes = votes;
-    cluster.step = {{0, 0}, {0, 0}, votes.front().step.mirrored};
-    double log_size = 0;
-    const double share = 1.0 / static_cast<double>(votes.size());
-    for (const StepVote& vote : votes) {
-        const double size = abs(vote.step.linear);
-        cluster.step.linear += vote.step.linear / size;
-        cluster.step.translation += share * vote.step.translation;
-        cluster.turn_change += share * vote.turn_change;
-        cluster.spin_change += share * vote.spin_change;
-        log_size += std::log(size);
+int StepVotes::new_bin(const VoteCoordinates& at, bool mirrored) {
+    const int bin = static_cast<int>(bins_.size());
+    const std::uint64_t key = key_of(cell_of(at), mirrored);
+    bins_.push_back({at, mirrored, last_in_cell_.find(key)});
+    last_in_cell_.set(key, bin);
+    return bin;
+}
+
+void StepVotes::add(const StepVote& vote, const VoteCoordinates& at) {
+    for (const double c : at) {
+        if (!std::isfinite(c) || std::abs(c) > 1e15) return;
     }
-    const double direction = abs(cluster.step.linear);
-    if (direction > 0) cluster.step.linear = cluster.step.linear * (std::exp(log_size * share) / direction);
+    int found = nearest_bin(at, vote.step.mirrored);
+    if (found == IndexMap::none) found = new_bin(at, vote.step.mirrored);
+    Bin& bin = bins_[static_cast<std::size_t>(found)];
+    const double size = abs(vote.step.linear);
+    ++bin.votes;
+    bin.direction += vote.step.linear / size;
+    bin.translation += vote.step.translation;
+    bin.log_size += std::log(size);
+    bin.turn_change += vote.turn_change;
+    bin.spin_change += vote.spin_change;
+    votes_.push_back({found, {vote.source, vote.target}});
+}
+
+StepCluster StepVotes::cluster_of(const Bin& bin) const {
+    const double share = 1.0 / bin.votes;
+    const double length = abs(bin.direction);
+    const double size = length > 0 ? std::exp(bin.log_size * share) / length : 1;
+    StepCluster cluster;
+    cluster.step = {bin.direction * size, share * bin.translation, bin.mirrored};
+    cluster.turn_change = share * bin.turn_change;
+    cluster.spin_change = share * bin.spin_change;
+    cluster.votes.reserve(static_cast<std::size_t>(bin.votes));
     return cluster;
 }
 
 std::vector<StepCluster> StepVotes::clusters(std::size_t least, std::size_t most) const {
+    const auto votes_of = [&](std::size_t b) { return static_cast<std::size_t>(bins_[b].votes); };
     std::vector<std::size_t> order;
     for (std::size_t b = 0; b < bins_.size(); ++b) {
-        if (bins_[b].votes.size() >= least) order.push_back(b);
+        if (votes_of(b) >= least) order.push_back(b);
     }
-    std::ranges::stable_sort(order,
-                             [&](std::size_t a, std::size_t b) { return bins_[a].votes.size() > bins_[b].votes.size(); });
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return votes_of(a) > votes_of(b); });
     if (order.size() > most) order.resize(most);
     std::vector<StepCluster> clusters;
     clusters.reserve(order.size());
-    for (const std::size_t b : order) clusters.push_back(cluster_of(bins_[b].votes));
+    std::vector<int> cluster_of_bin(bins_.size(), -1);
+    for (const std::size_t b : order) {
+        cluster_of_bin[b] = static_cast<int>(clusters.size());
+        clusters.push_back(cluster_of(bins_[b]));
+    }
+    for (const Cast& vote : votes_) {
+        const int cluster = cluster_of_bin[static_cast<std::size_t>(vote.bin)];
+        if (cluster >= 0) clusters[static_cast<std::size_t>(cluster)].votes.push_back(vote.voters);
+    }
     return clusters;
 }
 

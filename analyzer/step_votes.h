@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "geometry/index_map.h"
 #include "geometry/similarity.h"
 
 namespace rinceau {
@@ -19,11 +19,17 @@ struct StepVote {
     double spin_change = 0;
 };
 
+/// Who cast a vote: items.
+struct Voters {
+    int source = 0;
+    int target = 0;
+};
+
 struct StepCluster {
     Similarity step;  ///< means of the votes
     double turn_change = 0;
     double spin_change = 0;
-    std::vector<StepVote> votes;
+    std::vector<Voters> votes;  ///< in the order in which they were cast
 };
 
 struct VoteCell {
@@ -47,19 +53,31 @@ class StepVotes {
     void add(const StepVote& vote, const VoteCoordinates& at);
     /// Clusters with at least `least` votes, most votes first (ties: in order of the first vote), at most `most`.
     std::vector<StepCluster> clusters(std::size_t least, std::size_t most) const;
-    std::size_t size() const { return count_; }
+    std::size_t size() const { return votes_.size(); }
 
   private:
-    std::uint64_t key(const std::array<std::int64_t, 4>& at, bool mirrored) const;
-
-    std::size_t count_ = 0;
     struct Bin {
         VoteCoordinates seed;
-        bool mirrored;
-        std::vector<StepVote> votes;
+        bool mirrored = false;
+        int next_in_cell = IndexMap::none;  // the bin that was founded before in the same cell
+        int votes = 0;
+        // Sums over the votes.
+        Complex direction;
+        Point translation;
+        double log_size = 0, turn_change = 0, spin_change = 0;
     };
+    struct Cast {
+        int bin = 0;
+        Voters voters;
+    };
+    /// The bin with the nearest seed within one cell, or none.
+    int nearest_bin(const VoteCoordinates& at, bool mirrored) const;
+    int new_bin(const VoteCoordinates& at, bool mirrored);
+    StepCluster cluster_of(const Bin& bin) const;
+
     std::vector<Bin> bins_;
-    std::unordered_map<std::uint64_t, std::vector<int>> bins_at_;
+    std::vector<Cast> votes_;
+    IndexMap last_in_cell_;  // the bin that was founded last in a cell
 };
 
 }  // namespace rinceau

@@ -1,6 +1,7 @@
 #include "geometry/kd_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
 #include <utility>
@@ -22,6 +23,43 @@ struct PointCloud {
     bool kdtree_get_bbox(BoundingBox&) const {
         return false;
     }
+};
+
+bool comes_before(const Neighbor& a, const Neighbor& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
+}
+
+/// Receives candidates from nanoflann and keeps the `count` first by distance and index, in order.
+class NearestFew {
+  public:
+    explicit NearestFew(std::size_t count) : count_(count) { kept_.reserve(count + 1); }
+
+    std::size_t size() const { return kept_.size(); }
+    bool full() const { return kept_.size() == count_; }
+    bool addPoint(double square, std::size_t index) {
+        const Neighbor candidate{index, std::sqrt(square)};
+        if (full() && !comes_before(candidate, kept_.back())) return true;
+        kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, comes_before), candidate);
+        if (kept_.size() > count_) kept_.pop_back();
+        if (full()) {
+            // A little more, since ties count and squares are rounded.
+            constexpr double margin = 1e-9;
+            const double worst = kept_.back().distance;
+            worst_ = worst * worst * (1 + margin) + std::numeric_limits<double>::min();
+        }
+        return true;
+    }
+    double worstDist() const { return worst_; }
+    void clear() {
+        kept_.clear();
+        worst_ = std::numeric_limits<double>::max();
+    }
+    const std::vector<Neighbor>& kept() const { return kept_; }
+
+  private:
+    std::size_t count_;
+    std::vector<Neighbor> kept_;
+    double worst_ = std::numeric_limits<double>::max();
 };
 
 using Tree =
@@ -60,25 +98,36 @@ std::vector<Neighbor> KdTree::within(Point p, double radius) const {
         const double distance = abs(index_->cloud.points[index] - p);
         if (distance <= radius) neighbors.push_back({index, distance});
     }
-    std::sort(neighbors.begin(), neighbors.end(), [](const Neighbor& a, const Neighbor& b) {
-        return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
-    });
+    std::sort(neighbors.begin(), neighbors.end(), comes_before);
     return neighbors;
 }
 
 std::vector<Neighbor> KdTree::nearest(Point p, std::size_t count) const {
     count = std::min(count, size());
     if (count == 0) return {};
-    std::vector<std::size_t> indices(count);
-    std::vector<double> squares(count);
     const double query[2] = {p.x, p.y};
-    index_->tree.knnSearch(query, count, indices.data(), squares.data());
-    // Which of several equally distant points the tree gives depends on its shape: take all of them and sort.
-    double radius = 0;
-    for (const std::size_t index : indices) radius = std::max(radius, abs(index_->cloud.points[index] - p));
-    std::vector<Neighbor> neighbors = within(p, radius);
-    neighbors.resize(std::min(neighbors.size(), count));
-    return neighbors;
+    NearestFew few(count);
+    index_->tree.findNeighbors(few, query, nanoflann::SearchParams{});
+    return few.kept();
+}
+
+std::vector<int> KdTree::nearest_others(std::size_t count) const {
+    const std::vector<Point>& points = index_->cloud.points;
+    if (points.size() < 2 || count == 0) return {};
+    const std::size_t others = std::min(count, points.size() - 1);
+    std::vector<int> lists;
+    lists.reserve(points.size() * others);
+    NearestFew few(others + 1);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double query[2] = {points[i].x, points[i].y};
+        few.clear();
+        index_->tree.findNeighbors(few, query, nanoflann::SearchParams{});
+        const std::size_t end = lists.size() + others;
+        for (const Neighbor& neighbor : few.kept()) {
+            if (neighbor.index != i && lists.size() < end) lists.push_back(static_cast<int>(neighbor.index));
+        }
+    }
+    return lists;
 }
 
 }  // namespace rinceau

@@ -28,6 +28,8 @@ class KdTree {
     std::size_t size() const;
     /// The `count` nearest points (fewer if there are fewer).
     std::vector<Neighbor> nearest(Point p, std::size_t count) const;
+    /// For every point of the tree its min(count, size() - 1) nearest others, nearest first: one list after the other.
+    std::vector<int> nearest_others(std::size_t count) const;
     /// All points at a distance of at most `radius`.
     std::vector<Neighbor> within(Point p, double radius) const;
 

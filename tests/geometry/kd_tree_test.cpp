@@ -33,6 +33,23 @@ TEST_CASE("the tree agrees with looking at all points, ties and equal points inc
     }
 }
 
+TEST_CASE("the lists of nearest others are those that the tree finds one by one") {
+    Random random(8);
+    std::vector<Point> points;
+    for (int i = 0; i < 300; ++i) points.push_back({std::floor(random.uniform(0, 9)), std::floor(random.uniform(0, 9))});
+    const KdTree tree(points);
+    constexpr std::size_t count = 7;
+    const std::vector<int> lists = tree.nearest_others(count);
+    REQUIRE(lists.size() == count * points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        std::vector<Neighbor> expected = sorted_by_distance(points, points[i]);
+        std::erase_if(expected, [&](const Neighbor& n) { return n.index == i; });
+        for (std::size_t k = 0; k < count; ++k) CHECK(static_cast<std::size_t>(lists[count * i + k]) == expected[k].index);
+    }
+    CHECK(KdTree(std::vector<Point>{{0, 0}, {1, 0}}).nearest_others(5) == std::vector<int>{1, 0});
+    CHECK(KdTree(std::vector<Point>{{0, 0}}).nearest_others(5).empty());
+}
+
 TEST_CASE("a point at exactly the radius is within it") {
     const std::vector<Point> points{{3, 4}, {0.1, 0.2}};
     const KdTree tree(points);
