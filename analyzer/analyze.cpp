@@ -1,6 +1,7 @@
 #include "analyzer/analyze.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -21,6 +22,7 @@
 #include "analyzer/report.h"
 #include "analyzer/residuals.h"
 #include "analyzer/to_grammar.h"
+#include "geometry/parallel.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
 #include "lsystem/to_scene.h"
@@ -180,12 +182,14 @@ std::vector<Description> describe_all(const Drawing& drawing, const std::vector<
 }
 
 /// Do the drawing and what the grammar draws look the same, 900 pixels wide?
-bool same_picture(const Scene& scene, const Grammar& grammar) {
+bool same_picture(const Scene& scene, const Grammar& grammar, int threads) {
     constexpr int width = 900;
     constexpr double allowed = 0.002;  // of the inked pixels
-    const Picture wanted = svg_to_picture(write_svg(scene), width);
-    const Picture drawn = svg_to_picture(grammar_svg(grammar, interpret(grammar)), width);
-    return picture_difference(wanted, drawn) <= allowed;
+    std::array<Picture, 2> pictures;
+    for_each_index(pictures.size(), threads, [&](std::size_t k) {
+        pictures[k] = svg_to_picture(k == 0 ? write_svg(scene) : grammar_svg(grammar, interpret(grammar)), width);
+    });
+    return picture_difference(pictures[0], pictures[1]) <= allowed;
 }
 
 Overlaps with_faint_pairs(Overlaps overlaps) {
@@ -193,6 +197,21 @@ Overlaps with_faint_pairs(Overlaps overlaps) {
     overlaps.faint.clear();
     std::ranges::sort(overlaps.pairs, {}, [](const OverlapPair& pair) { return std::pair{pair.upper, pair.lower}; });
     return overlaps;
+}
+
+/// A description as it will be written, and whether it draws the drawing.
+struct Proof {
+    Grammar layered;
+    Grammar grammar;  ///< as read back from its text
+    Verification check;
+};
+
+Proof proof_of(const Drawing& drawing, const Description& description, const Overlaps& overlaps, int threads) {
+    Proof proof;
+    proof.layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
+    proof.grammar = parse_grammar(to_text(proof.layered));
+    proof.check = verify(proof.grammar, drawing.scene, overlaps, {.threads = threads});
+    return proof;
 }
 
 }  // namespace
@@ -216,9 +235,11 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     report(progress, "similarity", 0);
     SimilarityOptions similarity = options.similarity;
     similarity.tolerance_of_diagonal = std::min(similarity.tolerance_of_diagonal, outline_share);
+    similarity.threads = options.threads;
     const Instancing instancing = group_similar_elements(scene, similarity, progress);
     OverlapOptions visible_only;
     visible_only.antialiasing = false;
+    visible_only.threads = options.threads;
     Overlaps overlaps = find_overlaps(scene, visible_only);
     Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene)};
     report_out.seconds.similarity = watch.lap();
@@ -240,16 +261,15 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
         const bool last = tried == descriptions.size();
         if (last) descriptions.push_back(describe(drawing, no_rules(drawing), 0));
         const Description& description = descriptions[tried];
-        Grammar layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
-        analysis.grammar = parse_grammar(to_text(layered));
-        if (!overlaps.faint.empty() && !same_picture(scene, analysis.grammar)) {
+        Proof proof = proof_of(drawing, description, overlaps, options.threads);
+        if (proof.check.passed && proof.check.wrong_faint > 0 && !same_picture(scene, proof.grammar, options.threads)) {
             // What hardly shows once shows when it comes by the hundred: these orders are kept as well.
             overlaps = with_faint_pairs(std::move(overlaps));
-            layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
-            analysis.grammar = parse_grammar(to_text(layered));
+            proof = proof_of(drawing, description, overlaps, options.threads);
         }
-        const DescriptionBits bits = bits_of(description, layered, drawing);
-        report_out.check = verify(analysis.grammar, scene, overlaps);
+        const DescriptionBits bits = bits_of(description, proof.layered, drawing);
+        report_out.check = std::move(proof.check);
+        analysis.grammar = std::move(proof.grammar);
         if (!last && (!report_out.check.passed || (shortest && bits.grammar >= bits.drawing))) {
             if (!report_out.check.passed) {
                 report_out.warnings.push_back("a shorter grammar was dropped because it did not redraw the picture: " +

@@ -134,7 +134,7 @@ class Search {
                 continue;
             }
             // Shares of the largest have shrunk if a larger one was met since.
-            if (const double score = score_of(candidate.evaluation); score < entry.score) {
+            if (const double score = rounded(score_of(candidate.evaluation)); score < entry.score) {
                 queue_.push({score, entry.candidate});
                 continue;
             }

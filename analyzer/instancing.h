@@ -46,6 +46,7 @@ struct SimilarityOptions {
     /// ... and in scene lengths, as a share of the drawing's diagonal, so that large elements are drawn to the pixel.
     double tolerance_of_diagonal = 2e-4;
     bool mirrored_copies = true;  ///< a mirror image is the same shape
+    int threads = 0;              ///< 0 = one per processor; the result is the same for any number
 };
 
 /// Groups the elements by outline and style whatever their place, angle, size, mirror image, start point, direction,

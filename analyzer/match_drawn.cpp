@@ -11,6 +11,7 @@
 
 #include "analyzer/gradient_difference.h"
 #include "analyzer/outline_deviation.h"
+#include "geometry/parallel.h"
 
 namespace rinceau {
 namespace {
@@ -45,24 +46,25 @@ double box_distance(const Box& a, const Box& b) {
                      std::abs(a.high.y - b.high.y)});
 }
 
-std::vector<Box> outline_boxes(const Scene& scene) {
-    std::vector<Box> boxes;
-    for (const Element& element : scene.elements) {
-        const Box box = bounds(element.paths);
-        boxes.push_back(is_empty(box) ? Box{{0, 0}, {0, 0}} : box);
-    }
+std::vector<Box> outline_boxes(const Scene& scene, int threads) {
+    std::vector<Box> boxes(scene.elements.size());
+    for_each_index(boxes.size(), threads, [&](std::size_t i) {
+        const Box box = bounds(scene.elements[i].paths);
+        boxes[i] = is_empty(box) ? Box{{0, 0}, {0, 0}} : box;
+    });
     return boxes;
 }
 
 class Matcher {
   public:
-    Matcher(const Scene& scene, const Scene& drawn, double tolerance)
+    Matcher(const Scene& scene, const Scene& drawn, double tolerance, int threads)
         : scene_(scene),
           drawn_(drawn),
           tolerance_(tolerance),
           reach_(reach_in_tolerances * tolerance),
-          scene_boxes_(outline_boxes(scene)),
-          drawn_boxes_(outline_boxes(drawn)),
+          threads_(threads),
+          scene_boxes_(outline_boxes(scene, threads)),
+          drawn_boxes_(outline_boxes(drawn, threads)),
           taken_(drawn.elements.size(), false),
           matches_(scene.elements.size()) {}
 
@@ -87,6 +89,7 @@ class Matcher {
     const Scene& drawn_;
     double tolerance_;
     double reach_;
+    int threads_;
     std::vector<Box> scene_boxes_;
     std::vector<Box> drawn_boxes_;
     std::vector<bool> taken_;
@@ -116,17 +119,25 @@ class Matcher {
 
     double cell_index(double coordinate) const { return std::floor(coordinate / (2 * reach_)) + 0.0; }
 
+    /// Where a drawn element's centre lies.
+    Cell& cell_of(std::size_t drawn) {
+        const Point p = center(drawn_boxes_[drawn]);
+        return cells_[{cell_index(p.x), cell_index(p.y)}];
+    }
+
     void fill_cells() {
         for (std::size_t j = 0; j < drawn_.elements.size(); ++j) {
-            if (!drawn_.elements[j].verbatim.empty()) continue;
-            const Point p = center(drawn_boxes_[j]);
-            cells_[{cell_index(p.x), cell_index(p.y)}].drawn.push_back(j);
+            if (drawn_.elements[j].verbatim.empty()) cell_of(j).drawn.push_back(j);
         }
     }
 
+    void pass_over_taken(Cell& cell) const {
+        while (cell.first_free < cell.drawn.size() && taken_[cell.drawn[cell.first_free]]) ++cell.first_free;
+    }
+
     /// The cells whose elements may have their centres within reach.
-    std::vector<Cell*> cells_near(Point p) {
-        std::vector<Cell*> near;
+    std::vector<const Cell*> cells_near(Point p) const {
+        std::vector<const Cell*> near;
         const double first_x = cell_index(p.x - reach_), last_x = cell_index(p.x + reach_);
         const double first_y = cell_index(p.y - reach_), last_y = cell_index(p.y + reach_);
         for (const double x : {first_x, last_x}) {
@@ -144,8 +155,7 @@ class Matcher {
 
     /// Calls visit(drawn) for what is free in the cell, in paint order, until it returns false.
     template <class Visit>
-    void visit_free(Cell& cell, Visit visit) {
-        while (cell.first_free < cell.drawn.size() && taken_[cell.drawn[cell.first_free]]) ++cell.first_free;
+    void visit_free(const Cell& cell, Visit visit) const {
         for (std::size_t k = cell.first_free; k < cell.drawn.size(); ++k) {
             if (!taken_[cell.drawn[k]] && !visit(cell.drawn[k])) return;
         }
@@ -185,7 +195,7 @@ class Matcher {
             if (!open(i)) continue;
             std::size_t best = drawn_.elements.size();
             double best_deviation = 0;
-            for (Cell* cell : cells_near(center(scene_boxes_[i]))) {
+            for (const Cell* cell : cells_near(center(scene_boxes_[i]))) {
                 visit_free(*cell, [&](std::size_t j) {
                     if (j >= best) return false;
                     if (box_distance(scene_boxes_[i], drawn_boxes_[j]) > exact || !style_agrees(i, j)) return true;
@@ -196,13 +206,15 @@ class Matcher {
                     return false;
                 });
             }
-            if (best < drawn_.elements.size()) take(i, best, best_deviation, true);
+            if (best == drawn_.elements.size()) continue;
+            take(i, best, best_deviation, true);
+            pass_over_taken(cell_of(best));
         }
     }
 
-    std::vector<std::size_t> nearest_free(std::size_t element, bool same_style_only) {
+    std::vector<std::size_t> nearest_free(std::size_t element, bool same_style_only) const {
         std::vector<std::pair<double, std::size_t>> near;
-        for (Cell* cell : cells_near(center(scene_boxes_[element]))) {
+        for (const Cell* cell : cells_near(center(scene_boxes_[element]))) {
             visit_free(*cell, [&](std::size_t j) {
                 const double apart = box_distance(scene_boxes_[element], drawn_boxes_[j]);
                 if (apart <= reach_ && (!same_style_only || style_agrees(element, j))) near.emplace_back(apart, j);
@@ -216,23 +228,37 @@ class Matcher {
         return indices;
     }
 
+    /// For each open element what is free near it.
+    std::vector<Candidate> candidates_now(bool same_style_only) const {
+        std::vector<std::size_t> still_open;
+        for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
+            if (open(i)) still_open.push_back(i);
+        }
+        std::vector<std::vector<Candidate>> by_element(still_open.size());
+        for_each_index(still_open.size(), threads_, [&](std::size_t k) {
+            const std::size_t i = still_open[k];
+            for (const std::size_t j : nearest_free(i, same_style_only)) {
+                const double found = deviation(i, j);
+                const double step = std::floor(found / (step_in_tolerances * tolerance_));
+                if (found < reach_) by_element[k].push_back({found, static_cast<std::int64_t>(step), i, j});
+            }
+        });
+        std::vector<Candidate> candidates;
+        for (const auto& some : by_element) candidates.insert(candidates.end(), some.begin(), some.end());
+        return candidates;
+    }
+
     void match_nearest(bool same_style_only) {
         for (int round = 0; round < rounds; ++round) {
-            std::vector<Candidate> candidates;
-            for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
-                if (!open(i)) continue;
-                for (const std::size_t j : nearest_free(i, same_style_only)) {
-                    const double found = deviation(i, j);
-                    const double step = std::floor(found / (step_in_tolerances * tolerance_));
-                    if (found < reach_) candidates.push_back({found, static_cast<std::int64_t>(step), i, j});
-                }
-            }
+            std::vector<Candidate> candidates = candidates_now(same_style_only);
             if (candidates.empty()) return;
             std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
                 return std::tie(a.step, a.element, a.drawn) < std::tie(b.step, b.element, b.drawn);
             });
             for (const Candidate& c : candidates) {
-                if (open(c.element) && !taken_[c.drawn]) take(c.element, c.drawn, c.deviation, same_style_only);
+                if (!open(c.element) || taken_[c.drawn]) continue;
+                take(c.element, c.drawn, c.deviation, same_style_only);
+                pass_over_taken(cell_of(c.drawn));
             }
         }
     }
@@ -240,8 +266,8 @@ class Matcher {
 
 }  // namespace
 
-std::vector<DrawnMatch> match_drawn(const Scene& scene, const Scene& drawn, double tolerance) {
-    return Matcher(scene, drawn, tolerance).run();
+std::vector<DrawnMatch> match_drawn(const Scene& scene, const Scene& drawn, double tolerance, int threads) {
+    return Matcher(scene, drawn, tolerance, threads).run();
 }
 
 }  // namespace rinceau

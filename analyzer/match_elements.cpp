@@ -8,6 +8,7 @@
 
 #include "analyzer/outline_classes.h"
 #include "analyzer/point_symmetry.h"
+#include "geometry/parallel.h"
 
 namespace rinceau {
 
@@ -112,15 +113,20 @@ class ElementMatcher {
     void collect_outlines() {
         MovedCopies copies;
         outlines_.resize(scene_.elements.size());
-        for (std::size_t i = 0; i < outlines_.size(); ++i) {
+        for_each_index(outlines_.size(), options_.threads, [&](std::size_t i) {
             const Element& element = scene_.elements[i];
-            if (!element.verbatim.empty()) continue;
-            outlines_[i] = outline_of(element.paths, element.style);
-            first_copy_[i] = copies.first_copy(outlines_, static_cast<int>(i));
+            if (element.verbatim.empty()) outlines_[i] = outline_of(element.paths, element.style);
+        });
+        for (std::size_t i = 0; i < outlines_.size(); ++i) {
+            if (scene_.elements[i].verbatim.empty()) first_copy_[i] = copies.first_copy(outlines_, static_cast<int>(i));
         }
     }
 
     void describe_outlines() {
+        std::vector<Descriptor> descriptors(outlines_.size());
+        for_each_index(outlines_.size(), options_.threads, [&](std::size_t i) {
+            if (first_copy_[i] == static_cast<int>(i)) descriptors[i] = describe(outlines_[i]);
+        });
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
             const int first = first_copy_[i];
             if (first < 0) continue;
@@ -129,7 +135,7 @@ class ElementMatcher {
                 if (item_of_[i] >= 0) ++items_[static_cast<std::size_t>(item_of_[i])].count;
                 continue;
             }
-            const Descriptor descriptor = describe(outlines_[i]);
+            const Descriptor& descriptor = descriptors[i];
             if (!(descriptor.rms_radius > dot_share * diagonal_)) continue;
             item_of_[i] = static_cast<int>(items_.size());
             items_.push_back({&outlines_[i], descriptor, allowed_deviation(descriptor.rms_radius, diagonal_, options_), 1});

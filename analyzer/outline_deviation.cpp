@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
+#include <limits>
 
 #include "geometry/box_tree.h"
 #include "geometry/cubic_bezier.h"
@@ -83,26 +82,68 @@ double one_way(const std::vector<Path>& from, const Target& to, double reach) {
     return largest;
 }
 
-/// An upper bound of the deviation of outlines that are written alike: the largest distance of corresponding points. A curve
-/// lies within the hull of its points, and so does the difference of two curves.
-std::optional<double> bound_of_likes(const std::vector<Path>& a, const std::vector<Path>& b) {
-    if (a.size() != b.size()) return std::nullopt;
-    double largest = 0;
-    const auto compare = [&](Point p, Point q) { largest = std::max(largest, norm(p - q)); };
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i].closed != b[i].closed || a[i].segments.size() != b[i].segments.size()) return std::nullopt;
-        compare(a[i].start, b[i].start);
-        for (std::size_t k = 0; k < a[i].segments.size(); ++k) {
-            const Segment& s = a[i].segments[k];
-            const Segment& t = b[i].segments[k];
-            if (s.straight != t.straight) return std::nullopt;
-            compare(s.to, t.to);
-            if (s.straight) continue;
-            compare(s.control1, t.control1);
-            compare(s.control2, t.control2);
-        }
+/// A segment with both its ends.
+struct Piece {
+    Point from;
+    Segment segment;
+
+    Piece reversed() const { return {segment.to, {segment.control2, segment.control1, from, segment.straight}}; }
+};
+
+/// The path's segments, a closing line of some length among them.
+std::vector<Piece> pieces_of(const Path& path) {
+    std::vector<Piece> pieces;
+    pieces.reserve(path.segments.size() + 1);
+    Point from = path.start;
+    for (const Segment& segment : path.segments) {
+        pieces.push_back({from, segment});
+        from = segment.to;
     }
-    return std::sqrt(largest);
+    if (path.closed && !(from == path.start)) pieces.push_back({from, line_to(path.start)});
+    return pieces;
+}
+
+/// The largest distance of corresponding points of pieces k of `a` and k + shift of `b`; infinite beyond `limit` or if they
+/// are of different kinds.
+double apart(const std::vector<Piece>& a, const std::vector<Piece>& b, std::size_t shift, double limit) {
+    double largest = 0;
+    for (std::size_t k = 0; k < a.size() && largest <= limit * limit; ++k) {
+        const Piece& s = a[k];
+        const Piece& t = b[(k + shift) % b.size()];
+        if (s.segment.straight != t.segment.straight) return std::numeric_limits<double>::infinity();
+        largest = std::max({largest, norm(s.from - t.from), norm(s.segment.to - t.segment.to)});
+        if (s.segment.straight) continue;
+        largest = std::max({largest, norm(s.segment.control1 - t.segment.control1),
+                            norm(s.segment.control2 - t.segment.control2)});
+    }
+    return largest <= limit * limit ? std::sqrt(largest) : std::numeric_limits<double>::infinity();
+}
+
+double bound_of_likes(const Path& a, const Path& b, double limit) {
+    const std::vector<Piece> p = pieces_of(a);
+    std::vector<Piece> q = pieces_of(b);
+    if (a.closed != b.closed || p.size() != q.size()) return std::numeric_limits<double>::infinity();
+    if (p.empty()) return abs(a.start - b.start);
+    const std::size_t shifts = a.closed ? p.size() : 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const bool backwards : {false, true}) {
+        for (std::size_t shift = 0; shift < shifts && least > limit; ++shift) {
+            if (norm(p.front().from - q[shift].from) <= limit * limit) least = std::min(least, apart(p, q, shift, limit));
+        }
+        std::ranges::reverse(q);
+        for (Piece& piece : q) piece = piece.reversed();
+    }
+    return least;
+}
+
+/// An upper bound of the deviation of outlines that are written alike but for their direction and start: the largest
+/// distance of corresponding points; infinite beyond `limit`. A curve lies within the hull of its points, and so does the
+/// difference of two curves.
+double bound_of_likes(const std::vector<Path>& a, const std::vector<Path>& b, double limit) {
+    if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size() && largest <= limit; ++i) largest = std::max(largest, bound_of_likes(a[i], b[i], limit));
+    return largest;
 }
 
 double area_of(const std::vector<Path>& paths, double accuracy) {
@@ -114,8 +155,8 @@ double area_of(const std::vector<Path>& paths, double accuracy) {
 }  // namespace
 
 double outline_deviation(const std::vector<Path>& a, const std::vector<Path>& b, const DeviationOptions& options) {
-    const std::optional<double> bound = bound_of_likes(a, b);
-    if (bound && *bound <= options.small) return *bound;
+    const double bound = bound_of_likes(a, b, options.small);
+    if (bound <= options.small) return bound;
     if (a.empty() || b.empty()) return a.empty() && b.empty() ? 0 : options.reach;
     const double forth = one_way(a, target_of(b, options.accuracy), options.reach);
     if (forth >= options.reach) return options.reach;

@@ -12,6 +12,7 @@
 #include "analyzer/translation_classes.h"
 #include "analyzer/visible_order.h"
 #include "geometry/box_tree.h"
+#include "geometry/parallel.h"
 
 namespace rinceau {
 namespace {
@@ -61,7 +62,7 @@ struct PairCaseHash {
     }
 };
 
-/// What the search knows of each element; outlines are made when they are first asked for.
+/// What the search knows of each element; outlines of those that are looked at.
 struct Search {
     const Scene& scene;
     double quantum = 1;
@@ -73,7 +74,6 @@ struct Search {
     std::vector<int> classes;
     std::vector<bool> has_copies;
     std::vector<std::optional<PaintedElement>> painted;
-    std::unordered_map<PairCase, OrderMatters, PairCaseHash> known;
 };
 
 double picture_pixel(const Scene& scene, double picture_width) {
@@ -101,25 +101,24 @@ Search start_search(const Scene& scene, const OverlapOptions& options) {
                   .samples_left = options.max_samples};
     search.classes = translation_classes(scene, search.quantum);
     search.has_copies = shared_numbers(search.classes);
-    search.painted.resize(scene.elements.size());
-    for (const Element& element : scene.elements) {
+    const std::size_t count = scene.elements.size();
+    search.painted.resize(count);
+    search.pixels.resize(count);
+    search.boxes.resize(count);
+    search.colors.resize(count);
+    for_each_index(count, options.threads, [&](std::size_t i) {
+        const Element& element = scene.elements[i];
         Box box = paints(element) ? painted_box(element) : Box{};
-        search.pixels.push_back(std::clamp(pixel_in_diagonals * diagonal(box), least_pixel * pixel, pixel));
+        search.pixels[i] = std::clamp(pixel_in_diagonals * diagonal(box), least_pixel * pixel, pixel);
         if (!element.verbatim.empty() && is_empty(box)) box = everywhere;
-        search.boxes.push_back(grown(box, touching_in_pixels / 2 * search.pixels.back()));
-        search.colors.push_back(is_empty(box) ? std::nullopt : only_color(element));
-    }
+        search.boxes[i] = grown(box, touching_in_pixels / 2 * search.pixels[i]);
+        search.colors[i] = is_empty(box) ? std::nullopt : only_color(element);
+    });
     return search;
 }
 
 bool order_hidden(const Search& search, std::size_t i, std::size_t j) {
     return search.colors[i] && search.colors[j] && *search.colors[i] == *search.colors[j];
-}
-
-const PaintedElement& painted(Search& search, std::size_t i) {
-    if (!search.painted[i])
-        search.painted[i] = painted_element(search.scene.elements[i], sampling_deviation(search.pixels[i]));
-    return *search.painted[i];
 }
 
 PairCase case_of(const Search& search, std::size_t i, std::size_t j) {
@@ -130,32 +129,77 @@ PairCase case_of(const Search& search, std::size_t i, std::size_t j) {
 
 double pixel_of(const Search& search, std::size_t i, std::size_t j) { return std::min(search.pixels[i], search.pixels[j]); }
 
-OrderMatters look_at_pair(Search& search, std::size_t i, std::size_t j) {
+struct Look {
+    OrderMatters matters = OrderMatters::no;
+    std::size_t samples = 0;  ///< points looked at
+};
+
+/// Both have their outlines.
+Look look_at_pair(const Search& search, const OverlapPair& pair) {
+    const auto i = static_cast<std::size_t>(pair.lower), j = static_cast<std::size_t>(pair.upper);
     const double pixel = pixel_of(search, i, j);
-    const PaintedElement& a = painted(search, i);
-    const PaintedElement& b = painted(search, j);
-    if (!paint_touches(a.outline, b.outline, touching_in_pixels * pixel)) return OrderMatters::no;
-    if (search.antialiasing) return OrderMatters::visibly;
-    const bool too_thin = too_thin_to_see(a.outline.box, b.outline.box, pixel);
-    if (!too_thin && search.samples_left > 0) {
-        const VisibleOrder order = visible_order(a, b, pixel);
-        search.samples_left -= std::min(search.samples_left, order.samples);
-        if (order.visible) return OrderMatters::visibly;
-    }
-    return too_thin || search.samples_left > 0 ? OrderMatters::faintly : OrderMatters::visibly;
+    const PaintedElement& a = *search.painted[i];
+    const PaintedElement& b = *search.painted[j];
+    if (!paint_touches(a.outline, b.outline, touching_in_pixels * pixel)) return {OrderMatters::no};
+    if (search.antialiasing) return {OrderMatters::visibly};
+    if (too_thin_to_see(a.outline.box, b.outline.box, pixel)) return {OrderMatters::faintly};
+    if (search.samples_left == 0) return {OrderMatters::visibly};
+    const VisibleOrder order = visible_order(a, b, pixel);
+    return {order.visible ? OrderMatters::visibly : OrderMatters::faintly, order.samples};
 }
 
-/// For two elements with meeting boxes.
-OrderMatters order_matters(Search& search, std::size_t i, std::size_t j) {
+/// What is found for pairs of outlined elements, in their order.
+std::vector<OrderMatters> look_at_pairs(Search& search, const std::vector<OverlapPair>& pairs, int threads) {
+    // Outlines, once for each element.
+    std::vector<std::size_t> needed;
+    for (const OverlapPair& pair : pairs) {
+        for (const int i : {pair.lower, pair.upper}) needed.push_back(static_cast<std::size_t>(i));
+    }
+    std::ranges::sort(needed);
+    needed.erase(std::ranges::unique(needed).begin(), needed.end());
+    for_each_index(needed.size(), threads, [&](std::size_t k) {
+        const std::size_t i = needed[k];
+        search.painted[i] = painted_element(search.scene.elements[i], sampling_deviation(search.pixels[i]));
+    });
+    // Between portions it is seen how many points may still be looked at.
+    constexpr std::size_t portion = 256;
+    std::vector<Look> looks(pairs.size());
+    for (std::size_t begin = 0; begin < pairs.size(); begin += portion) {
+        const std::size_t count = std::min(portion, pairs.size() - begin);
+        for_each_index(count, threads, [&](std::size_t k) { looks[begin + k] = look_at_pair(search, pairs[begin + k]); });
+        for (std::size_t k = begin; k < begin + count; ++k) {
+            search.samples_left -= std::min(search.samples_left, looks[k].samples);
+        }
+    }
+    std::vector<OrderMatters> found;
+    for (const Look& look : looks) found.push_back(look.matters);
+    return found;
+}
+
+/// For pairs with meeting boxes, in their order. Pairs of copies at equal offsets are looked at once.
+std::vector<OrderMatters> orders_that_matter(Search& search, const std::vector<OverlapPair>& pairs, int threads) {
+    constexpr int always = -1;
     const std::vector<Element>& elements = search.scene.elements;
-    if (!elements[i].verbatim.empty() || !elements[j].verbatim.empty()) return OrderMatters::visibly;
-    if (!search.has_copies[i] || !search.has_copies[j]) return look_at_pair(search, i, j);
-    const PairCase pair_case = case_of(search, i, j);
-    const auto known = search.known.find(pair_case);
-    if (known != search.known.end()) return known->second;
-    const OrderMatters matters = look_at_pair(search, i, j);
-    search.known.emplace(pair_case, matters);
-    return matters;
+    std::vector<OverlapPair> looked_at;
+    std::vector<int> look_of_pair;
+    std::unordered_map<PairCase, int, PairCaseHash> known;
+    for (const OverlapPair& pair : pairs) {
+        const auto i = static_cast<std::size_t>(pair.lower), j = static_cast<std::size_t>(pair.upper);
+        int look = static_cast<int>(looked_at.size());
+        if (!elements[i].verbatim.empty() || !elements[j].verbatim.empty()) {
+            look = always;
+        } else if (search.has_copies[i] && search.has_copies[j]) {
+            look = known.try_emplace(case_of(search, i, j), look).first->second;
+        }
+        if (look == static_cast<int>(looked_at.size())) looked_at.push_back(pair);
+        look_of_pair.push_back(look);
+    }
+    const std::vector<OrderMatters> looks = look_at_pairs(search, looked_at, threads);
+    std::vector<OrderMatters> found;
+    for (const int look : look_of_pair) {
+        found.push_back(look == always ? OrderMatters::visibly : looks[static_cast<std::size_t>(look)]);
+    }
+    return found;
 }
 
 OverlapPair pair_of(std::size_t i, std::size_t j) {
@@ -217,11 +261,10 @@ Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options) {
         found.complete = false;
         candidates = meeting_boxes_within(search, std::max<std::size_t>(1, limit / scene.elements.size()));
     }
-    for (const OverlapPair& pair : candidates) {
-        const OrderMatters matters =
-            order_matters(search, static_cast<std::size_t>(pair.lower), static_cast<std::size_t>(pair.upper));
-        if (matters == OrderMatters::visibly) found.pairs.push_back(pair);
-        if (matters == OrderMatters::faintly) found.faint.push_back(pair);
+    const std::vector<OrderMatters> matters = orders_that_matter(search, candidates, options.threads);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        if (matters[k] == OrderMatters::visibly) found.pairs.push_back(candidates[k]);
+        if (matters[k] == OrderMatters::faintly) found.faint.push_back(candidates[k]);
     }
     const auto by_upper = [](const OverlapPair& a, const OverlapPair& b) {
         return a.upper != b.upper ? a.upper < b.upper : a.lower < b.lower;

@@ -36,6 +36,7 @@ struct OverlapOptions {
     /// Points that are looked at in all; pairs left over then count as visible if they come within a pixel's share of each
     /// other.
     std::size_t max_samples = 100'000'000;
+    int threads = 0;  ///< 0 = one per processor; the result is the same for any number
 };
 
 /// All pairs of elements whose painted regions come within half a pixel of each other, dashes taken as solid, except those

@@ -34,10 +34,14 @@ void measure_matches(const std::vector<DrawnMatch>& matches, double diagonal, do
 }
 
 void check_order(const Overlaps& overlaps, const std::vector<DrawnMatch>& matches, Verification& result) {
-    for (const OverlapPair& pair : overlaps.pairs) {
+    const auto wrong = [&](const OverlapPair& pair) {
         const int lower = matches[static_cast<std::size_t>(pair.lower)].drawn;
         const int upper = matches[static_cast<std::size_t>(pair.upper)].drawn;
-        if (lower < 0 || upper < 0 || lower < upper) continue;
+        return lower >= 0 && upper >= 0 && lower > upper;
+    };
+    result.wrong_faint = static_cast<int>(std::ranges::count_if(overlaps.faint, wrong));
+    for (const OverlapPair& pair : overlaps.pairs) {
+        if (!wrong(pair)) continue;
         ++result.wrong_order;
         result.faulty.push_back(pair.lower);
         result.faulty.push_back(pair.upper);
@@ -91,7 +95,7 @@ Verification verify(const Grammar& grammar, const Scene& scene, const Overlaps& 
     // 1. Derive afresh.
     const Scene drawn = to_scene(grammar, interpret(grammar));
     // 2. Who is who, how far off, in which style.
-    const std::vector<DrawnMatch> matches = match_drawn(scene, drawn, options.tolerance * diagonal);
+    const std::vector<DrawnMatch> matches = match_drawn(scene, drawn, options.tolerance * diagonal, options.threads);
     Verification result{.elements = static_cast<int>(scene.elements.size())};
     measure_matches(matches, diagonal, options.tolerance, result);
     result.surplus = static_cast<int>(drawn.elements.size()) - (result.elements - result.unmatched);
