@@ -25,6 +25,8 @@ const std::vector<Opening>& openings() {
         {"from below", 1, open_with_nothing},
         {"rotation of the whole", clearly, open_with_rotation},
         {"branching", 1, [](const SearchState& start, const SearchOptions&, const Progress&) { return open_with_branching(start); }},
+        {"self-similarity", 1,
+         [](const SearchState& start, const SearchOptions&, const Progress&) { return open_with_self_similarity(start); }},
     };
     return all;
 }

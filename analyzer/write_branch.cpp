@@ -11,8 +11,10 @@ namespace {
 MoveSlack step_slack(const WritingContext& context, int p, const Similarity& step) {
     const int levels = std::max(1, context.longest_count(context.part(p).rule));
     const double growth = std::max(1.0, std::pow(scale_of(step), levels));
+    // All leaves hang on these few numbers, however small they are: digits cost nothing here.
+    constexpr int finer = 8;
     return move_slack(context, context.largest_scale_of_rule(context.part(p).rule) * growth, abs(step.translation),
-                      context.extent(p), levels);
+                      context.extent(p), finer * levels);
 }
 
 }  // namespace
