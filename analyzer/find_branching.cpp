@@ -221,7 +221,7 @@ class Finder {
         for (const Similarity& step : branching.steps) branching.saved_bits -= bits_of(step);
         const double found_by_chance = log2_of(static_cast<double>(seeds_tried * most_variants)) * (1 + steps) +
                                        trees * log2_of(static_cast<double>(items_.size())) -
-                                       (links - steps) * coincidence_bits();
+                                       (links - steps) * std::min(coincidence_bits(), seen_coincidence_bits(branching));
         if (found_by_chance > false_alarm_bits) branching.saved_bits = 0;
         return branching;
     }
@@ -230,6 +230,26 @@ class Finder {
     double coincidence_bits() const {
         const double looked = 2 * std::log2(link_slack);  // an area that is larger than the tolerance by the slack
         return std::max(1.0, state_.cost(part_).item_bits - looked - log2_of(static_cast<double>(items_.size())));
+    }
+
+    /// The same as the drawing shows it: how often the steps lead to an item from where no tree says so. On a lattice of
+    /// strokes they often do.
+    double seen_coincidence_bits(const Branching& branching) const {
+        std::vector<char> inner(state_.rules.items.size(), 0);
+        for (const GrownTree& tree : branching.trees) {
+            const std::size_t nodes = nodes_of_tree(branching.steps.size(), tree.levels - 1);
+            for (std::size_t node = 0; node < nodes; ++node) inner[static_cast<std::size_t>(tree.items[node])] = 1;
+        }
+        std::vector<int> others;
+        std::ranges::copy_if(by_size_, std::back_inserter(others), [&](int i) { return !inner[static_cast<std::size_t>(i)]; });
+        double found = 0, asked = 1;
+        for (const int item : spread(others, samples_asked)) {
+            for (const Similarity& step : branching.steps) {
+                found += holds_at(item, step) ? 1 : 0;
+                ++asked;
+            }
+        }
+        return found > 0 ? -std::log2(found / asked) : HUGE_VAL;
     }
 
     std::vector<GrownTree> trees_of(const std::vector<Similarity>& steps) {
