@@ -17,4 +17,8 @@ struct RuleUse {
 /// By rule.
 std::vector<RuleUse> rule_uses(const RuleSet& rules, const std::vector<int>& roots);
 
+/// Parts that are in use and made by rules, as a text should list them: what uses a part before the part, otherwise in the
+/// order of the axiom and of the members. Parts of one rule stand together, the latest first.
+std::vector<int> parts_top_down(const RuleSet& rules, const std::vector<int>& roots);
+
 }  // namespace rinceau

@@ -106,7 +106,8 @@ std::vector<std::string> look_names(const Instancing& instancing, const Scene& s
 }
 
 std::vector<std::string> symbol_names(const RuleSet& rules, const std::vector<bool>& in_use,
-                                      const std::vector<RuleUse>& uses, const std::vector<std::string>& look_names) {
+                                      const std::vector<int>& top_down, const std::vector<RuleUse>& uses,
+                                      const std::vector<std::string>& look_names) {
     Names given;
     std::vector<std::string> names(rules.parts.size());
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {
@@ -115,9 +116,10 @@ std::vector<std::string> symbol_names(const RuleSet& rules, const std::vector<bo
         given.take(names[p]);
     }
     std::map<int, std::string> of_rule;
-    for (std::size_t p = rules.parts.size(); p-- > 0;) {  // from the top down
+    for (const int each : top_down) {
+        const auto p = static_cast<std::size_t>(each);
         const Part& part = rules.parts[p];
-        if (part.rule < 0 || !in_use[p]) continue;
+        if (!in_use[p]) continue;
         const bool alone = rules.rules[static_cast<std::size_t>(part.rule)].kind == RuleKind::linear;
         std::string& known = of_rule[part.rule];
         names[p] = !alone && !known.empty() ? known : given.numbered(rule_name(rules, part, uses));

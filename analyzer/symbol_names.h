@@ -17,10 +17,11 @@ std::string terminal_letter(int index);
 /// Window); a letter otherwise. No two alike, none a command or a word of the language.
 std::vector<std::string> look_names(const Instancing& instancing, const Scene& scene);
 
-/// By part, "" for parts that are not in use (in_use[part]): looks by their names, rules by rule_name(), numbered from the top
-/// down where several share a word (Row, Row2). Parts of a rule with different counts share a symbol, except linear ones.
+/// By part, "" for parts that are not in use (in_use[part]): looks by their names, rules by rule_name(), numbered where several
+/// share a word (Row, Row2), in the order of parts_top_down(). Parts of a rule with different counts share a symbol, except linear ones.
 /// No two alike, also with "_count" behind them.
 std::vector<std::string> symbol_names(const RuleSet& rules, const std::vector<bool>& in_use,
-                                      const std::vector<RuleUse>& uses, const std::vector<std::string>& look_names);
+                                      const std::vector<int>& top_down, const std::vector<RuleUse>& uses,
+                                      const std::vector<std::string>& look_names);
 
 }  // namespace rinceau

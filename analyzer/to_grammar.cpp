@@ -24,7 +24,8 @@ class Writer {
           scene_(scene),
           slack_(slack),
           anchors_(find_anchors(ordered.rules, instancing, ordered.roots)),
-          uses_(rule_uses(ordered.rules, ordered.roots)) {}
+          uses_(rule_uses(ordered.rules, ordered.roots)),
+          top_down_(parts_top_down(ordered.rules, ordered.roots)) {}
 
     WrittenGrammar run() {
         const std::vector<std::string> names = look_names(instancing_, scene_);
@@ -33,15 +34,13 @@ class Writer {
         written_.grammar.canvas = scene_.viewport;
         written_.grammar.sized = scene_.sized;
         write_axiom();
-        // Top-down: what is made last stands first.
         std::set<int> written_rules;
-        for (std::size_t p = rules_.parts.size(); p-- > 0;) {
-            const Part& part = rules_.parts[p];
-            if (part.rule < 0 || written_.symbol_of_part[p].empty()) continue;
+        for (const int p : top_down_) {
+            const Part& part = rules_.parts[static_cast<std::size_t>(p)];
+            if (written_.symbol_of_part[static_cast<std::size_t>(p)].empty()) continue;
             const bool own_production = kind_of(part) == RuleKind::linear;
-            if (own_production || written_rules.insert(part.rule).second) write_production(static_cast<int>(p));
+            if (own_production || written_rules.insert(part.rule).second) write_production(p);
         }
-        std::ranges::reverse(written_.grammar.constants);
         add_terminals(written_.grammar, instancing_, scene_, looks_, names, terminal_anchors(), 0.3 * slack_);
         for (const int root : roots_) {
             const std::vector<int> below = elements_below(rules_, root);
@@ -58,7 +57,7 @@ class Writer {
     void name_symbols(const std::vector<std::string>& names) {
         std::vector<bool> in_use;
         for (const double scale : anchors_.largest_scale) in_use.push_back(scale > 0);
-        written_.symbol_of_part = symbol_names(rules_, in_use, uses_, names);
+        written_.symbol_of_part = symbol_names(rules_, in_use, top_down_, uses_, names);
         for (std::size_t p = 0; p < rules_.parts.size(); ++p) {
             if (rules_.parts[p].look >= 0 && in_use[p]) looks_.push_back(rules_.parts[p].look);
         }
@@ -98,6 +97,7 @@ class Writer {
     double slack_;
     Anchors anchors_;
     std::vector<RuleUse> uses_;
+    std::vector<int> top_down_;
     std::vector<int> looks_;
     WrittenGrammar written_;
 };

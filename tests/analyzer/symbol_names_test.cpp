@@ -128,6 +128,12 @@ TEST_CASE("names are given from the top down") {
         {{"A", element(hook(), filled({1, 2, 3}))}}));
     const Grammar grammar = analyze(scene).grammar;
     REQUIRE(grammar.productions.size() == 3);
+    // Every rule stands below those that use it.
+    for (std::size_t k = 0; k < grammar.productions.size(); ++k) {
+        for (std::size_t below = k + 1; below < grammar.productions.size(); ++below) {
+            CHECK(std::ranges::count(grammar.productions[below].successor, grammar.productions[k].symbol, &ModuleTemplate::symbol) == 0);
+        }
+    }
     CHECK(grammar.productions[0].symbol == "Grid");
     CHECK(grammar.productions[0].comment == "a grid of 4 Row, 90 apart");
     CHECK(grammar.productions[1].symbol == "Row");
