@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "analyzer/natural_pose.h"
 
@@ -75,6 +76,41 @@ Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<S
     return {heading * scale_of(head), {}, false};
 }
 
+/// By part: the derived pose of the item that a reader meets first; parts that are not in use have none.
+std::vector<std::optional<Similarity>> first_poses(const RuleSet& rules, const std::vector<int>& roots) {
+    std::vector<std::optional<Similarity>> poses(rules.parts.size());
+    std::vector<std::pair<int, Similarity>> open;
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
+        open.emplace_back(*root, rules.items[static_cast<std::size_t>(*root)].pose);
+    }
+    while (!open.empty()) {
+        const auto [at, pose] = open.back();
+        open.pop_back();
+        const Item& item = rules.items[static_cast<std::size_t>(at)];
+        const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
+        auto& first = poses[static_cast<std::size_t>(item.part)];
+        if (!first) first = pose;
+        for (std::size_t k = item.members.size(); k-- > 0;) {
+            if (item.members[k] >= 0) open.emplace_back(item.members[k], pose * part.children[k].pose);
+        }
+    }
+    return poses;
+}
+
+/// The anchor of a group whose first member looks the same when it is turned: as upright in the scene as it can be.
+Similarity upright_anchor(const RuleSet& rules, const Part& part, const Similarity& member, const Similarity& pose) {
+    const Child& first = part.children.front();
+    const SymmetryGroup& symmetry = rules.parts[static_cast<std::size_t>(first.part)].symmetry;
+    constexpr double clearly = 1e-3;  // radians
+    Similarity best = first.pose * member;
+    const auto tilt = [&](const Similarity& head) { return std::abs(arg((pose * head).linear)); };
+    for (const Similarity& gauge : symmetry.elements) {
+        const Similarity head = first.pose * gauge * member;
+        if (head.mirrored == best.mirrored && tilt(head) < tilt(best) - clearly) best = head;
+    }
+    return best;
+}
+
 void spread_scale(const RuleSet& rules, int item, const Anchors& anchors, std::vector<double>& largest) {
     const Item& at = rules.items[static_cast<std::size_t>(item)];
     const auto part = static_cast<std::size_t>(at.part);
@@ -93,11 +129,16 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
     anchors.largest_scale.assign(rules.parts.size(), 0);
     std::vector<Complex> commonest = commonest_poses(instancing);
     take_roots_of_trees(rules, commonest);
+    const std::vector<std::optional<Similarity>> poses = first_poses(rules, roots);
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
         const Part& part = rules.parts[p];
+        const bool group = part.rule >= 0 && rules.rules[static_cast<std::size_t>(part.rule)].kind == RuleKind::group;
         if (part.look >= 0) {
             const Complex pose = commonest[static_cast<std::size_t>(part.look)];
             anchors.of_part[p].linear = Complex{1, 0} / polar(abs(pose), natural_angle(arg(pose)));
+        } else if (group && poses[p] && rules.parts[static_cast<std::size_t>(part.children.front().part)].look >= 0) {
+            const auto first = static_cast<std::size_t>(part.children.front().part);
+            anchors.of_part[p] = upright_anchor(rules, part, anchors.of_part[first], *poses[p]);
         } else {
             anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
         }

@@ -52,6 +52,25 @@ MoveSlack move_slack(const WritingContext& context, double scale, double advance
     return slack;
 }
 
+namespace {
+
+/// Of the poses in which a terminal draws the same, the one that turns it least; unmirrored if there is one.
+Similarity turned_least(const WritingContext& context, const Similarity& pose, int part) {
+    if (context.part(part).look < 0) return pose;
+    constexpr double clearly = 1e-3;  // radians
+    constexpr double mirrored = two_pi;
+    const auto effort = [](const Similarity& at) { return std::abs(arg(at.linear)) + (at.mirrored ? mirrored : 0); };
+    const Similarity& anchor = context.anchor(part);
+    Similarity best = pose;
+    for (const Similarity& gauge : context.part(part).symmetry.elements) {
+        const Similarity other = pose * inverse(anchor) * gauge * anchor;
+        if (effort(other) < effort(best) - clearly) best = other;
+    }
+    return best;
+}
+
+}  // namespace
+
 void append_placed(const WritingContext& context, std::vector<ModuleTemplate>& modules, const Similarity& wanted, int part,
                    double scale, bool brackets) {
     std::vector<ModuleTemplate> placed;
@@ -63,6 +82,7 @@ void append_placed(const WritingContext& context, std::vector<ModuleTemplate>& m
             pose.linear = pose.linear * (pose.translation / abs(pose.translation)) * Complex{0, -1};
         }
     }
+    pose = turned_least(context, pose, part);
     append_move(placed, pose,
                 move_slack(context, scale, abs(pose.translation), context.extent(part) * scale_of(pose), 1));
     placed.push_back(module_of(context, part));
