@@ -11,6 +11,7 @@
 #include <optional>
 #include <thread>
 
+#include "analyzer/colouring.h"
 #include "analyzer/fill_gaps.h"
 #include "analyzer/generate_rules.h"
 #include "analyzer/grammar_bits.h"
@@ -21,6 +22,7 @@
 #include "analyzer/paint_order.h"
 #include "analyzer/report.h"
 #include "analyzer/residuals.h"
+#include "analyzer/shape_looks.h"
 #include "analyzer/to_grammar.h"
 #include "geometry/parallel.h"
 #include "lsystem/grammar_text.h"
@@ -57,8 +59,18 @@ class Stopwatch {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// The drawing in one reading: with these looks.
+struct Drawing {
+    const Scene& scene;
+    const Instancing& instancing;
+    const Overlaps& overlaps;
+    double diagonal;
+    double flat_bits;  ///< of the flat list, the same for all readings
+};
+
 /// One finished description of the drawing.
 struct Description {
+    const Drawing* reading = nullptr;
     OrderedRules ordered;
     WrittenGrammar written;
     Grammar exact;  ///< with residuals, before layers
@@ -67,28 +79,28 @@ struct Description {
     double tolerance = 0;
 };
 
-struct Drawing {
-    const Scene& scene;
-    const Instancing& instancing;
-    const Overlaps& overlaps;
-    double diagonal;
-};
-
-DescriptionBits bits_of(const Description& description, const Grammar& grammar, const Drawing& drawing) {
-    return description_bits(description.ordered, description.written, grammar, drawing.instancing, description.deviation,
-                            drawing.diagonal);
+DescriptionBits bits_of(const Description& description, const Grammar& grammar) {
+    DescriptionBits bits = description_bits(description.ordered, description.written, grammar,
+                                            description.reading->instancing, description.deviation,
+                                            description.reading->diagonal);
+    bits.drawing = description.reading->flat_bits;
+    return bits;
 }
 
-Description describe(const Drawing& drawing, RuleSet rules, double tolerance) {
+/// Nothing if the reading's colours cannot be brought into the rules.
+std::optional<Description> describe(const Drawing& drawing, RuleSet rules, double tolerance) {
     Description description;
+    description.reading = &drawing;
     description.tolerance = tolerance;
     description.ordered = ordered_for_painting(with_inlined_groups(with_filled_gaps(std::move(rules))), drawing.overlaps);
-    description.written =
-        to_grammar(description.ordered, drawing.instancing, drawing.scene, digits_share * drawing.diagonal);
+    std::optional<WrittenGrammar> written = with_colours(
+        to_grammar(description.ordered, drawing.instancing, drawing.scene, digits_share * drawing.diagonal), drawing.instancing);
+    if (!written) return std::nullopt;
+    description.written = std::move(*written);
     Residuals exact = with_residuals(description.written, drawing.instancing, exact_share * drawing.diagonal);
     description.exact = std::move(exact.grammar);
     description.deviation = std::move(exact.deviation);
-    description.bits = bits_of(description, description.exact, drawing);
+    description.bits = bits_of(description, description.exact);
     return description;
 }
 
@@ -154,30 +166,36 @@ void run_tasks(std::size_t count, int threads, const Progress& progress,
     for (auto& other : others) other.get();
 }
 
-/// For each tolerance, in their order, the best description of all openings.
-std::vector<Description> describe_all(const Drawing& drawing, const std::vector<double>& tolerances,
+/// For each reading of the drawing and each tolerance, in their order, the best description of all openings.
+std::vector<Description> describe_all(const std::vector<Drawing>& drawings, const std::vector<double>& tolerances,
                                       const SearchOptions& search, int threads, const Progress& progress) {
-    std::vector<SearchState> starts(tolerances.size());
-    run_tasks(tolerances.size(), threads, progress, [&](std::size_t t, const Progress&) {
-        const PoseTolerance tolerance{tolerances[t], tolerances[t], PoseTolerance{}.per_distance};
-        starts[t] = starting_state(drawing.instancing, tolerance, drawing.diagonal);
+    const std::size_t ways = drawings.size() * tolerances.size();
+    const auto drawing_of = [&](std::size_t way) -> const Drawing& { return drawings[way / tolerances.size()]; };
+    const auto tolerance_of = [&](std::size_t way) { return tolerances[way % tolerances.size()]; };
+    std::vector<SearchState> starts(ways);
+    run_tasks(ways, threads, progress, [&](std::size_t way, const Progress&) {
+        const PoseTolerance tolerance{tolerance_of(way), tolerance_of(way), PoseTolerance{}.per_distance};
+        starts[way] = starting_state(drawing_of(way).instancing, tolerance, drawing_of(way).diagonal);
     });
-    std::vector<Reading> readings(tolerances.size());
+    std::vector<Reading> readings(ways);
     std::mutex offering;
-    // All tolerances of an opening before the next opening: the search from below takes longest and comes first.
+    // All ways of an opening before the next opening: the search from below takes longest and comes first.
     const std::size_t tried = search.objective == Objective::paper ? 1 : openings().size();  // the paper works from below only
-    run_tasks(tolerances.size() * tried, threads, progress, [&](std::size_t k, const Progress& told) {
-        const std::size_t t = k % tolerances.size(), o = k / tolerances.size();
-        std::optional<SearchState> opened = openings()[o].open(starts[t], search, told);
+    run_tasks(ways * tried, threads, progress, [&](std::size_t k, const Progress& told) {
+        const std::size_t way = k % ways, o = k / ways;
+        std::optional<SearchState> opened = openings()[o].open(starts[way], search, told);
         if (!opened) return;
-        Description description =
-            describe(drawing, generate_rules(std::move(*opened), search, told).rules, tolerances[t]);
-        const double cost = reading_cost(description) / openings()[o].convincing_share;
+        std::optional<Description> description =
+            describe(drawing_of(way), generate_rules(std::move(*opened), search, told).rules, tolerance_of(way));
+        if (!description) return;
+        const double cost = reading_cost(*description) / openings()[o].convincing_share;
         const std::lock_guard lock(offering);
-        readings[t].offer(std::move(description), cost, o);
+        readings[way].offer(std::move(*description), cost, o);
     });
     std::vector<Description> descriptions;
-    for (Reading& reading : readings) descriptions.push_back(std::move(*reading.description));
+    for (Reading& reading : readings) {
+        if (reading.description) descriptions.push_back(std::move(*reading.description));
+    }
     return descriptions;
 }
 
@@ -218,8 +236,8 @@ Proof proof_of(const Drawing& drawing, const Description& description, const Ove
 
 Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
     const Overlaps overlaps;
-    const Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene)};
-    return describe(drawing, no_rules(drawing), 0).exact;
+    const Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene), 0};
+    return describe(drawing, no_rules(drawing), 0)->exact;
 }
 
 Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progress& progress) {
@@ -241,7 +259,11 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     visible_only.antialiasing = false;
     visible_only.threads = options.threads;
     Overlaps overlaps = find_overlaps(scene, visible_only);
-    Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene)};
+    const double diagonal = drawing_diagonal(scene), flat_bits = flat_list_bits(instancing, diagonal);
+    // Two readings: equal shapes in other styles are other looks, or one look with its colours as arguments.
+    const std::optional<Instancing> by_shape = merged_by_shape(instancing, diagonal);
+    std::vector<Drawing> drawings{{scene, instancing, overlaps, diagonal, flat_bits}};
+    if (by_shape && options.objective == Objective::bits) drawings.push_back({scene, *by_shape, overlaps, diagonal, flat_bits});
     report_out.seconds.similarity = watch.lap();
 
     // Rules, at several tolerances; the shortest description that proves right is kept.
@@ -250,7 +272,7 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     search.objective = report_out.objective = options.objective;
     const bool shortest = options.objective == Objective::bits;
     std::vector<Description> descriptions =
-        describe_all(drawing, tolerances(options, scene.elements.size()), search, options.threads, progress);
+        describe_all(drawings, tolerances(options, scene.elements.size()), search, options.threads, progress);
     std::ranges::stable_sort(descriptions, {}, reading_cost);
     std::erase_if(descriptions, [&](const Description& d) { return shortest && d.bits.grammar >= d.bits.drawing; });
     report_out.seconds.rules = watch.lap();
@@ -259,15 +281,14 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     for (std::size_t tried = 0;; ++tried) {
         report(progress, "check", static_cast<double>(tried) / 4);
         const bool last = tried == descriptions.size();
-        if (last) descriptions.push_back(describe(drawing, no_rules(drawing), 0));
+        if (last) descriptions.push_back(*describe(drawings.front(), no_rules(drawings.front()), 0));
         const Description& description = descriptions[tried];
-        Proof proof = proof_of(drawing, description, overlaps, options.threads);
+        Proof proof = proof_of(drawings.front(), description, overlaps, options.threads);
         if (proof.check.passed && proof.check.wrong_faint > 0 && !same_picture(scene, proof.grammar, options.threads)) {
             // What hardly shows once shows when it comes by the hundred: these orders are kept as well.
-            overlaps = with_faint_pairs(std::move(overlaps));
-            proof = proof_of(drawing, description, overlaps, options.threads);
+            proof = proof_of(drawings.front(), description, with_faint_pairs(overlaps), options.threads);
         }
-        const DescriptionBits bits = bits_of(description, proof.layered, drawing);
+        const DescriptionBits bits = bits_of(description, proof.layered);
         report_out.check = std::move(proof.check);
         analysis.grammar = std::move(proof.grammar);
         if (!last && (!report_out.check.passed || (shortest && bits.grammar >= bits.drawing))) {
@@ -277,7 +298,8 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
             }
             continue;
         }
-        fill_report(report_out, description.ordered, description.written, analysis.grammar, instancing);
+        fill_report(report_out, description.ordered, description.written, analysis.grammar,
+                    description.reading->instancing);
         report_out.drawing_bits = bits.drawing;
         report_out.grammar_bits = bits.grammar;
         report_out.tolerance = description.tolerance;

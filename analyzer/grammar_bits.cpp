@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "analyzer/colour_pattern.h"
 #include "lsystem/turtle_commands.h"
 
 namespace rinceau {
@@ -23,7 +24,7 @@ double entropy(std::map<std::int64_t, int>& counts, double total) {
 /// Cost of one instance of a look written flat: which look, place, angle and mirror, scale; the latter by their frequency.
 std::vector<double> flat_bits(const Instancing& instancing, double diagonal) {
     struct Sample {
-        std::map<std::int64_t, int> angles, scales;
+        std::map<std::int64_t, int> angles, scales, tints;
         double count = 0, log_size = 0;
     };
     std::vector<Sample> samples(instancing.looks.size());
@@ -36,6 +37,7 @@ std::vector<double> flat_bits(const Instancing& instancing, double diagonal) {
         const double log_scale = std::log(scale_of(instance.pose));
         ++sample.angles[std::llround(angle / precision) * 2 + (instance.pose.mirrored ? 1 : 0)];
         ++sample.scales[std::llround(log_scale / precision)];
+        ++sample.tints[instance.tint];
         sample.log_size += log_scale;
         ++sample.count;
     }
@@ -49,7 +51,7 @@ std::vector<double> flat_bits(const Instancing& instancing, double diagonal) {
         }
         const double size = std::exp(sample.log_size / sample.count);
         bits.push_back(which + 2 * place_bits(diagonal, size) + entropy(sample.angles, sample.count) +
-                       entropy(sample.scales, sample.count));
+                       entropy(sample.scales, sample.count) + entropy(sample.tints, sample.count));
     }
     return bits;
 }
@@ -66,14 +68,34 @@ double number_bits(double value, double otherwise) {
     return otherwise;
 }
 
+/// How many of the last arguments choose styles (colouring.h).
+std::size_t style_choices(const ModuleTemplate& module, const WrittenGrammar& written) {
+    if (module.symbol == ";") return module.arguments.size();
+    const auto found = written.tint_arguments.find(module.symbol);
+    const std::size_t tints = found == written.tint_arguments.end() ? 0 : static_cast<std::size_t>(found->second);
+    return std::min(tints, module.arguments.size());
+}
+
+double style_choice_bits(const ModuleTemplate& module, const WrittenGrammar& written) {
+    double bits = 0;
+    for (std::size_t k = module.arguments.size() - style_choices(module, written); k < module.arguments.size(); ++k)
+        bits += tint_bits(module.arguments[k]);
+    return bits;
+}
+
+constexpr double which_command = 2.5;
+
 /// What a production says beyond its form: brackets, the condition and the call of itself are given with its kind.
-double module_bits(const ModuleTemplate& module, const std::string& own_symbol, double symbols, double length_bits) {
+double module_bits(const ModuleTemplate& module, const WrittenGrammar& written, const std::string& own_symbol, double symbols,
+                   double length_bits) {
     const double angle_bits = std::log2(two_pi / precision);
-    constexpr double which_command = 2.5;
-    if (module.symbol == "[" || module.symbol == "]" || module.symbol == own_symbol) return 0;
+    if (module.symbol == "[" || module.symbol == "]") return 0;
+    if (module.symbol == own_symbol) return style_choice_bits(module, written);
     const bool turns = module.symbol == "+" || module.symbol == "-";
     double bits = find_turtle_command(module.symbol) != nullptr ? which_command : std::log2(symbols);
-    for (const Expression& argument : module.arguments) {
+    bits += style_choice_bits(module, written);
+    for (std::size_t k = 0; k + style_choices(module, written) < module.arguments.size(); ++k) {
+        const Expression& argument = module.arguments[k];
         for (const Expression::Node& node : argument.postfix) {
             const bool number = node.op == Expression::Op::number;
             bits += number ? number_bits(node.number, turns ? angle_bits : length_bits) : 2;
@@ -93,6 +115,13 @@ double group_bits(const Similarity& turtle, double symbols, double length_bits) 
 }
 
 }  // namespace
+
+double flat_list_bits(const Instancing& instancing, double diagonal) {
+    const std::vector<double> flat = flat_bits(instancing, diagonal);
+    double bits = 0;
+    for (const Instance& instance : instancing.instances) bits += flat[static_cast<std::size_t>(instance.look)];
+    return bits;
+}
 
 DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,
                                  const Instancing& instancing, const std::vector<double>& deviation, double diagonal) {
@@ -118,10 +147,13 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
         bits.grammar +=
             part.look >= 0 ? flat[static_cast<std::size_t>(part.look)] : group_bits(turtle, symbols, length_bits);
     }
+    for (const ModuleTemplate& module : final_grammar.axiom) {
+        if (module.symbol != ";") bits.grammar += style_choice_bits(module, written);  // of elements: told with them
+    }
     for (const Production& production : final_grammar.productions) {
         bits.grammar += std::log2(symbols);
         for (const ModuleTemplate& module : production.successor) {
-            bits.grammar += module_bits(module, production.symbol, symbols, length_bits);
+            bits.grammar += module_bits(module, written, production.symbol, symbols, length_bits);
         }
     }
     bits.grammar += static_cast<double>(final_grammar.constants.size()) * 6;
@@ -131,6 +163,8 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
         for (const ModuleTemplate& module : exception.successor) {
             // What a residual's numbers hold is counted by the deviation below.
             if (module.symbol == "z") bits.grammar += 6;
+            if (module.symbol == ";") bits.grammar += which_command;
+            bits.grammar += style_choice_bits(module, written);
         }
     }
     for (const Exception& exception : written.grammar.exceptions) {  // what stands in for something else, and where

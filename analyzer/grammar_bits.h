@@ -13,6 +13,9 @@ struct DescriptionBits {
     double grammar = 0;  ///< axiom, productions, constants, exceptions, residuals
 };
 
+/// All elements written flat.
+double flat_list_bits(const Instancing& instancing, double diagonal);
+
 /// `deviation` by leaf as from with_residuals. Precision: 0.2 % of an element's size. The outlines of the terminals and the
 /// styles' definitions count in neither.
 DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,

@@ -22,6 +22,7 @@ struct Look {
     SymmetryGroup symmetry;   ///< of shape and style together
     std::vector<Path> paths;  ///< unit frame: centroid of the outline at the origin, rms radius 1 (see unit_radius)
     Style unit_style;         ///< in the unit frame; lengths of a fixed stroke in the scene
+    std::vector<Style> tints; ///< not empty: instances differ in style (Instance::tint); unit_style is the commonest of these
     std::string verbatim;     ///< not empty: kept as it is; never part of a rule
 };
 
@@ -29,6 +30,7 @@ struct Look {
 struct Instance {
     int look = 0;
     Similarity pose;  ///< unit frame -> scene. |linear| = the rms radius of the element
+    int tint = 0;     ///< index into the look's tints, if it has any
 };
 
 /// instances[i] belongs to scene.elements[i].

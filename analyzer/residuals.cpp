@@ -65,6 +65,9 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
     result.deviation.resize(placements.size());
     std::vector<const Placement*> by_order(placements.size());
     for (const Placement& placement : placements) by_order[static_cast<std::size_t>(placement.order)] = &placement;
+    std::map<std::vector<int>, std::size_t> exception_at;
+    for (std::size_t e = 0; e < result.grammar.exceptions.size(); ++e)
+        exception_at[result.grammar.exceptions[e].address] = e;
     for (std::size_t leaf = 0; leaf < by_order.size() && leaf < written.element_of_leaf.size(); ++leaf) {
         const Placement& placement = *by_order[leaf];
         const Instance& instance = instancing.instances[static_cast<std::size_t>(written.element_of_leaf[leaf])];
@@ -80,17 +83,17 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
         append_move(move, inverse(placement.pose) * nearest.pose,
                     {fine / size, fine / std::max(reach, fine), fine / std::max(reach, fine), fine / std::max(reach, fine)});
         ++result.exceptions;
-        const auto stands_in = exception_at.find(placement.address);
-        if (stands_in != exception_at.end()) {  // its only symbol stands last
-            std::vector<ModuleTemplate>& successor = result.grammar.exceptions[stands_in->second].successor;
-            successor.insert(successor.end() - 1, move.begin(), move.end());
+        const std::string& symbol = written.grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol;
+        const auto known = exception_at.find(placement.address);
+        if (known != exception_at.end()) {  // a stand-in, or one of another style: its only symbol is moved
+            std::vector<ModuleTemplate>& successor = result.grammar.exceptions[known->second].successor;
+            successor.insert(std::ranges::find(successor, symbol, &ModuleTemplate::symbol), move.begin(), move.end());
             continue;
         }
         Exception exception;
         exception.address = placement.address;
         exception.successor = std::move(move);
-        exception.successor.push_back(
-            command(written.grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol));
+        exception.successor.push_back(command(symbol));
         result.grammar.exceptions.push_back(std::move(exception));
     }
     return result;

@@ -44,18 +44,22 @@ Style tidied(Style style) {
     return style;
 }
 
-int style_number(Grammar& grammar, const Style& style) {
+}  // namespace
+
+Style terminal_style(const Style& unit_style, const Similarity& anchor) {
+    return tidied(transformed(unit_style, inverse(anchor)));
+}
+
+int style_number(std::vector<NumberedStyle>& styles, const Style& style) {
     constexpr double equal = 1e-6;
-    for (const NumberedStyle& known : grammar.styles) {
+    for (const NumberedStyle& known : styles) {
         const bool scale_alike = known.style.stroke.fixed == style.stroke.fixed || !paints_stroke(style);
         if (scale_alike && same_style(known.style, style, equal)) return known.number;
     }
-    const int number = static_cast<int>(grammar.styles.size()) + 1;
-    grammar.styles.push_back({number, style, ""});
+    const int number = static_cast<int>(styles.size()) + 1;
+    styles.push_back({number, style, ""});
     return number;
 }
-
-}  // namespace
 
 void add_terminals(Grammar& grammar, const Instancing& instancing, const Scene& scene, const std::vector<int>& looks,
                    const std::vector<std::string>& names, const std::vector<Similarity>& anchors, double slack) {
@@ -75,7 +79,7 @@ void add_terminals(Grammar& grammar, const Instancing& instancing, const Scene& 
         } else {
             const Similarity to_terminal = inverse(anchors[at]);
             terminal.paths = rounded_paths(transformed(look.paths, to_terminal), slack);
-            terminal.style = style_number(grammar, tidied(transformed(look.unit_style, to_terminal)));
+            terminal.style = style_number(grammar.styles, terminal_style(look.unit_style, anchors[at]));
         }
         grammar.terminals.push_back(std::move(terminal));
     }

@@ -18,6 +18,7 @@ struct WrittenGrammar {
     std::vector<std::string> symbol_of_part;  ///< "" = not in use
     std::vector<Similarity> anchor_of_part;   ///< turtle frame of a part's module -> part frame
     std::vector<Similarity> terminal_anchor;  ///< by look: terminal frame -> unit frame
+    std::map<std::string, int> tint_arguments;  ///< by symbol: how many of its last arguments choose styles (colouring.h)
 };
 
 /// Productions top-down, sequences as P(m) : m > 0 -> [A] T P(m-1) with m the number of repetitions, rings about their pivot
