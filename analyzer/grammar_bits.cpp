@@ -163,12 +163,11 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
         for (const ModuleTemplate& module : exception.successor) {
             // What a residual's numbers hold is counted by the deviation below.
             if (module.symbol == "z") bits.grammar += 6;
-            if (module.symbol == ";") bits.grammar += which_command;
-            bits.grammar += style_choice_bits(module, written);
         }
     }
-    for (const Exception& exception : written.grammar.exceptions) {  // what stands in for something else, and where
-        for (const ModuleTemplate& module : exception.successor) bits.grammar += module_bits(module, "", symbols, length_bits);
+    for (const Exception& exception : written.grammar.exceptions) {  // what stands in for something else, where, in which style
+        for (const ModuleTemplate& module : exception.successor)
+            bits.grammar += module_bits(module, written, "", symbols, length_bits);
     }
     std::vector<char> alone(instancing.instances.size(), 0);  // written flat: nothing is left over
     for (const int root : ordered.roots) {

@@ -56,7 +56,7 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
     InterpretOptions options;
     options.addresses = true;
     const std::vector<Placement> placements = interpret(written.grammar, options);
-    std::map<std::vector<int>, std::size_t> exception_at;  // of what stands in for something else
+    std::map<std::vector<int>, std::size_t> exception_at;  // of stand-ins and other styles
     for (std::size_t e = 0; e < written.grammar.exceptions.size(); ++e) {
         if (!written.grammar.exceptions[e].successor.empty()) exception_at[written.grammar.exceptions[e].address] = e;
     }
@@ -65,9 +65,6 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
     result.deviation.resize(placements.size());
     std::vector<const Placement*> by_order(placements.size());
     for (const Placement& placement : placements) by_order[static_cast<std::size_t>(placement.order)] = &placement;
-    std::map<std::vector<int>, std::size_t> exception_at;
-    for (std::size_t e = 0; e < result.grammar.exceptions.size(); ++e)
-        exception_at[result.grammar.exceptions[e].address] = e;
     for (std::size_t leaf = 0; leaf < by_order.size() && leaf < written.element_of_leaf.size(); ++leaf) {
         const Placement& placement = *by_order[leaf];
         const Instance& instance = instancing.instances[static_cast<std::size_t>(written.element_of_leaf[leaf])];
