@@ -130,7 +130,9 @@ std::vector<double> tolerances(const AnalyzeOptions& options, std::size_t elemen
 /// one more thing. (Two rules that fit loosely read better than four that fit to the last bit.)
 double reading_cost(const Description& description) {
     constexpr double production_bits = 40;
-    return description.bits.grammar + production_bits * static_cast<double>(description.exact.productions.size());
+    constexpr double terminal_bits = 20;  // an outline of its own; readings differ in how many there are
+    return description.bits.grammar + production_bits * static_cast<double>(description.exact.productions.size()) +
+           terminal_bits * static_cast<double>(description.exact.terminals.size());
 }
 
 /// The best description so far at one tolerance.
