@@ -52,25 +52,29 @@ struct Changes {
     bool moves, turns, grows;
 };
 
-Changes changes_of(const Similarity& step) {
-    constexpr double visible = 1e-4;  // radians, relative scale, sizes
-    return {abs(step.translation) > visible, std::abs(arg(step.linear)) > visible,
-            std::abs(scale_of(step) - 1) > visible};
+/// What a person sees of a step that is made `count` - 1 times.
+Changes changes_of(const Similarity& step, int count) {
+    constexpr double moved = 1e-4;  // sizes
+    constexpr double turned = radians(1), grown = 0.01;  // from the first to the last
+    const int steps = std::max(1, count - 1);
+    return {abs(step.translation) > moved, steps * std::abs(arg(step.linear)) > turned,
+            steps * std::abs(std::log(scale_of(step))) > grown};
 }
 
-bool is_straight(const Rule& rule) {
-    const Changes changes = changes_of(rule.step);
+bool is_straight(const Rule& rule, int count) {
+    const Changes changes = changes_of(rule.step, count);
     return rule.kind == RuleKind::sequence && changes.moves && !changes.turns && !changes.grows && !rule.step.mirrored;
 }
 
 /// A row of columns or a column of rows, neither being a grid itself.
 bool is_grid(const RuleSet& rules, const Rule& rule, const std::vector<RuleUse>& uses, Figure direction) {
     const Part& below = rules.parts[static_cast<std::size_t>(rule.repeated)];
-    if (below.rule < 0 || !is_straight(rule_of(rules, below)) || use_of(below, uses).item < 0) return false;
+    if (below.rule < 0 || use_of(below, uses).item < 0) return false;
+    if (!is_straight(rule_of(rules, below), use_of(below, uses).most)) return false;
     const Part& inner = rules.parts[static_cast<std::size_t>(rule_of(rules, below).repeated)];
     const Figure inward = direction_of(first_step(rules, use_of(below, uses)));
     if (inward == direction) return false;
-    return !(inner.rule >= 0 && is_straight(rule_of(rules, inner)) && use_of(inner, uses).item >= 0 &&
+    return !(inner.rule >= 0 && use_of(inner, uses).item >= 0 && is_straight(rule_of(rules, inner), use_of(inner, uses).most) &&
              direction_of(first_step(rules, use_of(inner, uses))) != inward);
 }
 
@@ -84,7 +88,7 @@ bool turns_in_place(const RuleSet& rules, const Rule& rule) {
 Figure figure_of(const RuleSet& rules, const Part& part, const std::vector<RuleUse>& uses) {
     const Rule& rule = rule_of(rules, part);
     const RuleUse& use = use_of(part, uses);
-    const Changes changes = changes_of(rule.step);
+    const Changes changes = changes_of(rule.step, use.most);
     if (rule.step.mirrored) return use.most == 2 ? Figure::mirror_pair : Figure::zigzag;
     if (changes.turns && use.most == 2) return Figure::pair;
     if (changes.turns && changes.grows) return Figure::spiral;
@@ -144,7 +148,7 @@ std::string count_text(const RuleUse& use) {
 /// ", 12 apart" or ", turning by 8.5 degrees, each 0.993 times as large": what is not plain from the figure's word.
 std::string sequence_numbers(const RuleSet& rules, const Part& part, const RuleUse& use, Figure figure) {
     const Similarity& step = rule_of(rules, part).step;
-    const Changes changes = changes_of(step);
+    const Changes changes = changes_of(step, use.most);
     std::string text;
     const bool straight = !changes.turns && !changes.grows && !step.mirrored;
     if (straight && changes.moves && use.even) text += ", " + short_number(abs(first_step(rules, use))) + " apart";

@@ -66,7 +66,7 @@ class Turtle {
         placement_.style = state_.style;
         placement_.layer = state_.layer;
         placement_.pose = state_.pose;
-        placement_.production = std::max(place.occurrence.production, -1);
+        placement_.production = production_of(place);
         if (options_.addresses) {
             placement_.address.reserve(place.address_front.size() + 1);
             placement_.address = place.address_front;
@@ -84,6 +84,16 @@ class Turtle {
     void exception(int) {}
 
   private:
+    /// What an exception draws belongs to the production that placed the module it replaces.
+    static int production_of(const StreamPlace& place) {
+        constexpr int axiom = -1;  // exceptions are below
+        if (place.occurrence.production >= axiom) return place.occurrence.production;
+        for (std::size_t k = place.trail_front.size(); k-- > 0;) {
+            if (place.trail_front[k].production >= axiom) return place.trail_front[k].production;
+        }
+        return axiom;
+    }
+
     const CompiledGrammar& grammar_;
     const InterpretOptions& options_;
     Visit visit_;

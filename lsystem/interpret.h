@@ -28,7 +28,7 @@ struct Placement {
     int order = 0;               ///< index in order of derivation, before layers are sorted
     std::vector<Occurrence> trail;  ///< the occurrences from the axiom down to the terminal, self-recursion of a production
                                     ///< left out; empty unless InterpretOptions::trails
-    int production = -1;         ///< index of the production whose successor placed it; -1 = axiom or exception
+    int production = -1;         ///< whose successor placed it, or the module that an exception replaces; -1 = the axiom
 };
 
 struct InterpretOptions {

@@ -73,7 +73,7 @@ TEST_CASE("an exception adds its own occurrence to the trail") {
         placed("axiom: P(2)\nP(m) : m > 0 -> [A] f(1) P(m-1)\nexcept 1.2 -> f(1) B", {.addresses = true, .trails = true});
     CHECK(placements[1].trail == std::vector<Occurrence>{{-1, 0}, {0, 1}, {-2, 1}});
     CHECK(placements[1].address == std::vector<int>{1, 2});
-    CHECK(placements[1].production == -1);
+    CHECK(placements[1].production == 0);
 }
 
 TEST_CASE("poses do not depend on whether addresses and trails are kept") {
