@@ -97,18 +97,36 @@ std::vector<std::optional<Similarity>> first_poses(const RuleSet& rules, const s
     return poses;
 }
 
-/// The anchor of a group whose first member looks the same when it is turned: as upright in the scene as it can be.
-Similarity upright_anchor(const RuleSet& rules, const Part& part, const Similarity& member, const Similarity& pose) {
+/// The symmetry of a part's first member, a look, that makes it as upright in the scene as it can be; `pose` is the part's.
+Similarity upright_gauge(const RuleSet& rules, const Part& part, const Similarity& anchor, const Similarity& pose) {
     const Child& first = part.children.front();
-    const SymmetryGroup& symmetry = rules.parts[static_cast<std::size_t>(first.part)].symmetry;
     constexpr double clearly = 1e-3;  // radians
-    Similarity best = first.pose * member;
-    const auto tilt = [&](const Similarity& head) { return std::abs(arg((pose * head).linear)); };
-    for (const Similarity& gauge : symmetry.elements) {
-        const Similarity head = first.pose * gauge * member;
-        if (head.mirrored == best.mirrored && tilt(head) < tilt(best) - clearly) best = head;
+    Similarity best;
+    const auto tilt = [&](const Similarity& gauge) { return std::abs(arg((pose * first.pose * gauge * anchor).linear)); };
+    for (const Similarity& gauge : rules.parts[static_cast<std::size_t>(first.part)].symmetry.elements) {
+        if (!gauge.mirrored && tilt(gauge) < tilt(best) - clearly) best = gauge;
     }
     return best;
+}
+
+bool begins_with_a_look(const RuleSet& rules, const Part& part) {
+    const RuleKind kind = rules.rules[static_cast<std::size_t>(part.rule)].kind;
+    return (kind == RuleKind::group || kind == RuleKind::sequence) &&
+           rules.parts[static_cast<std::size_t>(part.children.front().part)].look >= 0;
+}
+
+/// Groups and sequences whose first member looks the same when it is turned stand as upright as they can where they are met
+/// first. A rule has one gauge for all its counts.
+Similarity upright_anchor(const RuleSet& rules, const Part& part, const std::optional<Similarity>& pose, Anchors& anchors,
+                          std::vector<bool>& decided) {
+    const Child& first = part.children.front();
+    const auto rule = static_cast<std::size_t>(part.rule);
+    const Similarity& anchor = anchors.of_part[static_cast<std::size_t>(first.part)];
+    if (!decided[rule] && pose) {
+        anchors.gauge_of_rule[rule] = upright_gauge(rules, part, anchor, *pose);
+        decided[rule] = true;
+    }
+    return first.pose * anchors.gauge_of_rule[rule] * anchor;
 }
 
 void spread_scale(const RuleSet& rules, int item, const Anchors& anchors, std::vector<double>& largest) {
@@ -130,15 +148,15 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
     std::vector<Complex> commonest = commonest_poses(instancing);
     take_roots_of_trees(rules, commonest);
     const std::vector<std::optional<Similarity>> poses = first_poses(rules, roots);
+    anchors.gauge_of_rule.resize(rules.rules.size());
+    std::vector<bool> decided(rules.rules.size(), false);
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
         const Part& part = rules.parts[p];
-        const bool group = part.rule >= 0 && rules.rules[static_cast<std::size_t>(part.rule)].kind == RuleKind::group;
         if (part.look >= 0) {
             const Complex pose = commonest[static_cast<std::size_t>(part.look)];
             anchors.of_part[p].linear = Complex{1, 0} / polar(abs(pose), natural_angle(arg(pose)));
-        } else if (group && poses[p] && rules.parts[static_cast<std::size_t>(part.children.front().part)].look >= 0) {
-            const auto first = static_cast<std::size_t>(part.children.front().part);
-            anchors.of_part[p] = upright_anchor(rules, part, anchors.of_part[first], *poses[p]);
+        } else if (begins_with_a_look(rules, part)) {
+            anchors.of_part[p] = upright_anchor(rules, part, poses[p], anchors, decided);
         } else {
             anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
         }

@@ -52,24 +52,21 @@ MoveSlack move_slack(const WritingContext& context, double scale, double advance
     return slack;
 }
 
-namespace {
-
-/// Of the poses in which a terminal draws the same, the one that turns it least; unmirrored if there is one.
-Similarity turned_least(const WritingContext& context, const Similarity& pose, int part) {
-    if (context.part(part).look < 0) return pose;
+Similarity least_turning_gauge(const WritingContext& context, const Similarity& pose, int part) {
+    Similarity best;
+    if (context.part(part).look < 0) return best;
     constexpr double clearly = 1e-3;  // radians
     constexpr double mirrored = two_pi;
-    const auto effort = [](const Similarity& at) { return std::abs(arg(at.linear)) + (at.mirrored ? mirrored : 0); };
-    const Similarity& anchor = context.anchor(part);
-    Similarity best = pose;
+    const Similarity &anchor = context.anchor(part), frame = pose * inverse(anchor);
+    const auto effort = [&](const Similarity& gauge) {
+        const Similarity turned = frame * gauge * anchor;
+        return std::abs(arg(turned.linear)) + (turned.mirrored ? mirrored : 0);
+    };
     for (const Similarity& gauge : context.part(part).symmetry.elements) {
-        const Similarity other = pose * inverse(anchor) * gauge * anchor;
-        if (effort(other) < effort(best) - clearly) best = other;
+        if (effort(gauge) < effort(best) - clearly) best = gauge;
     }
     return best;
 }
-
-}  // namespace
 
 void append_placed(const WritingContext& context, std::vector<ModuleTemplate>& modules, const Similarity& wanted, int part,
                    double scale, bool brackets) {
@@ -82,7 +79,8 @@ void append_placed(const WritingContext& context, std::vector<ModuleTemplate>& m
             pose.linear = pose.linear * (pose.translation / abs(pose.translation)) * Complex{0, -1};
         }
     }
-    pose = turned_least(context, pose, part);
+    const Similarity& anchor = context.anchor(part);
+    pose = pose * inverse(anchor) * least_turning_gauge(context, pose, part) * anchor;
     append_move(placed, pose,
                 move_slack(context, scale, abs(pose.translation), context.extent(part) * scale_of(pose), 1));
     placed.push_back(module_of(context, part));

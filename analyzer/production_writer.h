@@ -47,7 +47,12 @@ ModuleTemplate module_of(const WritingContext& context, int part);
 /// made `times` times in a row.
 MoveSlack move_slack(const WritingContext& context, double scale, double advance, double reach, int times);
 
-/// [move, module] for a part at a pose in the frame of a turtle at scale `scale`; in brackets if asked for.
+/// Of the symmetries of a terminal the one that, before its anchor, turns it least when it is drawn at `pose`, unmirrored if
+/// there is one; the identity for other parts.
+Similarity least_turning_gauge(const WritingContext& context, const Similarity& pose, int part);
+
+/// [move, module] for a part at a pose in the frame of a turtle at scale `scale`, turned by its gauge; in brackets if
+/// asked for.
 void append_placed(const WritingContext& context, std::vector<ModuleTemplate>& modules, const Similarity& pose, int part,
                    double scale, bool brackets);
 

@@ -30,10 +30,21 @@ struct Collector {
             if (is_regular(context.rules, at, k)) {
                 collect(at.members[k], place, address);
             } else {
-                except(children[k].part, at.members[k], place, address);
+                except(children[k].part, at.members[k], place * gauge_of(at.part, k), address);
             }
             address.pop_back();
         }
+    }
+
+    /// How the production turns a terminal that looks the same when it is turned.
+    Similarity gauge_of(int part, std::size_t child) const {
+        const RuleKind kind = context.rule_of(part).kind;
+        if (kind == RuleKind::sequence) return context.anchors.gauge_of_rule[static_cast<std::size_t>(context.part(part).rule)];
+        if (kind != RuleKind::group && kind != RuleKind::ring) return {};
+        const std::vector<Child>& children = context.part(part).children;
+        const Child& written = kind == RuleKind::ring ? children.front() : children[child];
+        const Similarity pose = inverse(context.anchor(part)) * written.pose * context.anchor(written.part);
+        return least_turning_gauge(context, pose, written.part);
     }
 
     /// What several in a row have in common is said once.

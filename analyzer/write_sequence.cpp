@@ -8,7 +8,7 @@ namespace rinceau {
 WrittenRule write_sequence(const WritingContext& context, int p) {
     const Part& part = context.part(p);
     const Rule& rule = context.rule_of(p);
-    const Similarity& head = context.anchor(rule.repeated);
+    const Similarity head = context.anchors.gauge_of_rule[static_cast<std::size_t>(part.rule)] * context.anchor(rule.repeated);
     const Similarity step = inverse(head) * rule.step * head;
     Production production = counted_production(context, p);
     production.successor = bracketed({module_of(context, rule.repeated)});

@@ -139,3 +139,22 @@ TEST_CASE("names are given from the top down") {
     CHECK(grammar.productions[1].symbol == "Row");
     CHECK(grammar.productions[2].symbol == "Row2");
 }
+
+TEST_CASE("rows of things that look the same when turned are written without turns") {
+    // Hexagons, each in another of its six equal poses.
+    Scene scene;
+    Random random(3);
+    for (int k = 0; k < 24; ++k) {
+        const Similarity turned = rotate(two_pi / 6 * random.below(6));
+        scene.elements.push_back(placed(element(regular_polygon(6, 5), filled({1, 2, 3})), translate({14.0 * (k % 6), 20.0 * (k / 6)}) * turned));
+        scene.viewport = including(scene.viewport, painted_box(scene.elements.back()));
+    }
+    const Grammar grammar = analyze(scene).grammar;
+    REQUIRE(grammar.productions.size() == 2);
+    for (const Production& production : grammar.productions) {
+        for (const ModuleTemplate& module : production.successor) {
+            if (module.symbol != "+" && module.symbol != "-") continue;
+            CHECK(to_text(module.arguments[0]) == "90");  // to the side and back
+        }
+    }
+}
