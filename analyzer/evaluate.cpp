@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "analyzer/claim_pairs.h"
 #include "analyzer/fit_step.h"
 
 namespace rinceau {
@@ -43,11 +44,7 @@ std::vector<int> sources_of(const SearchState& state, const Hypothesis& hypothes
 /// Pairs for a group of two parts; each item in at most one pair, the nearer to the prediction first.
 std::vector<Chain> group_pairs(const SearchState& state, GridCache& grids, const Hypothesis& hypothesis,
                                const Similarity& step, double& ambiguity) {
-    struct Candidate {
-        double shift;
-        Chain pair;
-    };
-    std::vector<Candidate> candidates;
+    std::vector<PairCandidate> candidates;
     const PoseTolerance tolerance = link_tolerance(state);
     const PoseGrid& grid = grids.of(hypothesis.to);
     const Part& from_part = state.part(hypothesis.from);
@@ -76,23 +73,7 @@ std::vector<Chain> group_pairs(const SearchState& state, GridCache& grids, const
             for (const Similarity& gauge : from_part.symmetry.elements) consider(from, state.item(from).pose * gauge);
         }
     }
-    std::ranges::stable_sort(candidates, {}, &Candidate::shift);
-    std::vector<char> used(state.rules.items.size(), 0);
-    std::set<std::pair<int, int>> choices;
-    std::vector<Chain> pairs;
-    for (Candidate& candidate : candidates) {
-        const int from = candidate.pair.items[0];
-        const int to = candidate.pair.items[1];
-        choices.insert({from, to});
-        char& first = used[static_cast<std::size_t>(from)];
-        char& second = used[static_cast<std::size_t>(to)];
-        if (first || second) continue;
-        first = second = 1;
-        pairs.push_back(std::move(candidate.pair));
-    }
-    std::ranges::sort(pairs, {}, [](const Chain& pair) { return pair.items.front(); });
-    ambiguity = static_cast<double>(choices.size()) / std::max(1.0, static_cast<double>(pairs.size()));
-    return pairs;
+    return claimed_pairs(state.rules, std::move(candidates), ambiguity);
 }
 
 std::vector<Chain> pairs_of_votes(const SearchState& state, const Hypothesis& hypothesis) {

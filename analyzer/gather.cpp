@@ -66,10 +66,10 @@ std::optional<Gathered> gather_sequence(const SearchState& state, GridCache& gri
         plan.runs.push_back(run.item);
     }
     const std::size_t of_runs = present;
-    std::size_t missing = 0;
-    for (std::size_t k = 0; k < count && 2 * missing <= count; ++k) {
+    std::size_t missing = 0, known = 0;  // gaps, and those that the runs have themselves
+    for (std::size_t k = 0; k < count && 2 * (missing + known) <= count; ++k) {
         if (taken[k]) {
-            missing += plan.members[k].item < 0 ? 1 : 0;
+            known += plan.members[k].item < 0 ? 1 : 0;
             continue;
         }
         const Similarity place = pose * whole.children[k].pose;
@@ -85,7 +85,7 @@ std::optional<Gathered> gather_sequence(const SearchState& state, GridCache& gri
     const std::size_t pieces = plan.runs.size() + present - of_runs;
     const bool gaps_are_few = missing <= few_missing + (pieces > 0 ? 2 * (pieces - 1) : 0);
     plan.exceptions = static_cast<int>(missing);
-    if (present >= 2 && 2 * missing <= count && gaps_are_few) return plan;
+    if (present >= 2 && 2 * (missing + known) <= count && gaps_are_few) return plan;
     if (plan.runs.empty()) return std::nullopt;
     const int longest = *std::ranges::max_element(plan.runs, {}, [&](int run) { return state.item(run).members.size(); });
     return Gathered{longest, {}, {}, 1};

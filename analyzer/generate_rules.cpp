@@ -7,6 +7,7 @@
 
 #include "analyzer/bridge_gaps.h"
 #include "analyzer/close_rings.h"
+#include "analyzer/complete_runs.h"
 #include "analyzer/propose.h"
 #include "analyzer/substitute.h"
 
@@ -158,6 +159,7 @@ class Search {
         candidate.dead = true;
         for (const int part : made.touched_parts) grids_.forget(part);
         bridge_gaps(state_, grids_, made);
+        complete_runs(state_, grids_, made);
         close_rings(state_, grids_, made);
         for (const int part : made.touched_parts) ++version(part);
         propose_anew(made);
