@@ -30,15 +30,45 @@ int direction_of(const PairCandidate& candidate) {
     return (static_cast<int>(std::lround(degrees(arg(way)))) + 360) % 360;
 }
 
+bool is_row(const RuleSet& rules, int item) {
+    const int rule = rules.parts[static_cast<std::size_t>(rules.items[static_cast<std::size_t>(item)].part)].rule;
+    return rule >= 0 && rules.rules[static_cast<std::size_t>(rule)].kind == RuleKind::sequence;
+}
+
+bool alike(int a, int b) {
+    const int apart = std::abs(a - b);
+    return std::min(apart, 360 - apart) <= 1;
+}
+
+/// How many lie in this direction, give or take a degree.
+int about(const std::map<int, int>& by_direction, int direction) {
+    int sum = 0;
+    for (int d = direction + 359; d <= direction + 361; ++d) {
+        const auto at = by_direction.find(d % 360);
+        sum += at == by_direction.end() ? 0 : at->second;
+    }
+    return sum;
+}
+
+int leading_direction(const std::map<int, int>& by_direction) {
+    int leading = 0, most = 0;
+    for (const auto& [direction, unused] : by_direction) {
+        const int sum = about(by_direction, direction);
+        if (sum > most) {
+            most = sum;
+            leading = direction;
+        }
+    }
+    return leading;
+}
+
 }  // namespace
 
 std::vector<Chain> claimed_pairs(const RuleSet& rules, std::vector<PairCandidate> candidates, double& ambiguity) {
     std::ranges::stable_sort(candidates, {}, &PairCandidate::shift);
     if (candidates.empty()) return {};
-    const auto made_by_rule = [&](int item) {
-        return rules.parts[static_cast<std::size_t>(rules.items[static_cast<std::size_t>(item)].part)].rule >= 0;
-    };
-    const bool groups = made_by_rule(candidates[0].pair.items[0]) && made_by_rule(candidates[0].pair.items[1]);
+    const std::vector<int>& items = candidates.front().pair.items;
+    const bool rows = is_row(rules, items[0]) && is_row(rules, items[1]);
     std::vector<std::size_t> order(candidates.size());
     std::set<std::pair<int, int>> choices;
     std::map<int, int> by_direction;
@@ -50,15 +80,15 @@ std::vector<Chain> claimed_pairs(const RuleSet& rules, std::vector<PairCandidate
     auto choice = static_cast<double>(choices.size());
     std::vector<std::size_t> chosen = chosen_in_order(rules, candidates, order);
     if (chosen.size() < choices.size() && by_direction.size() > 1) {
-        std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-            const int x = direction_of(candidates[a]), y = direction_of(candidates[b]);
-            return std::pair{-by_direction[x], x} < std::pair{-by_direction[y], y};
-        });
+        const int leading = leading_direction(by_direction);
+        std::ranges::stable_partition(order, [&](std::size_t c) { return alike(direction_of(candidates[c]), leading); });
         std::vector<std::size_t> aligned = chosen_in_order(rules, candidates, order);
-        if (aligned.size() >= chosen.size()) {
+        const bool all_alike =
+            std::ranges::all_of(aligned, [&](std::size_t c) { return alike(direction_of(candidates[c]), leading); });
+        if (all_alike && aligned.size() >= chosen.size()) {
             chosen = std::move(aligned);
-            // Of groups, rows and the like are found already: one direction leaves no choice.
-            if (groups) choice = std::max(static_cast<double>(chosen.size()), static_cast<double>(by_direction[direction_of(candidates[order.front()])]));
+            // Of rows, what repeats is found already: one direction leaves no choice.
+            if (rows) choice = std::max(static_cast<double>(chosen.size()), static_cast<double>(about(by_direction, leading)));
         }
     }
     std::vector<Chain> pairs;

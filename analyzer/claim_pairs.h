@@ -13,8 +13,8 @@ struct PairCandidate {
     Chain pair;
 };
 
-/// Pairs without common items, nearest to the prediction first; where an item has a choice, pairs of the direction in which
-/// most candidates lie come first if not fewer are found so. In order of their first items. `ambiguity` becomes the number of
+/// Pairs without common items, nearest to the prediction first; where an item has a choice, pairs of the one direction in
+/// which most candidates lie are taken if they are not fewer. In order of their first items. `ambiguity` becomes the number of
 /// choices for each pair.
 std::vector<Chain> claimed_pairs(const RuleSet& rules, std::vector<PairCandidate> candidates, double& ambiguity);
 

@@ -125,6 +125,30 @@ TEST_CASE("the chains of a lattice are its rows: each item in one of them") {
     CHECK(total(slanting) == items_of(slanting).size());
 }
 
+TEST_CASE("where one step makes rows and columns, all chains run one way") {
+    std::vector<Similarity> poses;
+    for (int k = 0; k < 36; ++k) poses.push_back(translate({3.0 * (k % 6), 3.0 * (k / 6)}));
+    const RuleSet rules = copies(dihedral(4), poses);
+    const std::vector<int> all = counted(36);
+    // Rows and columns as they come of discs, which have no direction; the last tile is missing.
+    std::vector<Chain> lines;
+    for (int line = 0; line < 6; ++line) {
+        for (const bool row : {true, false}) {
+            Chain chain;
+            for (int k = 0; k < (line == 5 ? 5 : 6); ++k) {
+                const int item = row ? 6 * line + k : 6 * k + line;
+                chain.items.push_back(item);
+                chain.frames.push_back(poses[static_cast<std::size_t>(item)]);
+            }
+            lines.push_back(chain);
+        }
+    }
+    const std::vector<Chain> disjoint = claimed(rules, lines);
+    REQUIRE(disjoint.size() == 6);
+    CHECK(items_of(disjoint).size() == 35);
+    for (const Chain& chain : disjoint) CHECK(chain.items.size() >= 5);
+}
+
 TEST_CASE("longer chains are claimed first, others are cut to their longest free run, scraps are left") {
     const RuleSet rules = copies(cyclic(1), std::vector<Similarity>(20));
     const auto chain = [&](std::vector<int> items) {

@@ -158,6 +158,35 @@ TEST_CASE("an arc that is far from closing is no ring") {
     CHECK(found.grammar.exceptions.empty());
 }
 
+TEST_CASE("rows that lack a member at an end are rows of the grid") {
+    const std::set<Place> holes{{0, 1}, {7, 2}, {7, 5}, {3, 4}};
+    const Analysis found = analyze(tiles(grid(8, 8, [&](int c, int r) { return holes.count({c, r}) == 0; })));
+    CHECK(rules_in_words(found.report) == "sequence of 8; sequence of 8");
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.grammar.exceptions.size() == 4);
+}
+
+TEST_CASE("a brick wall with half bricks at the borders is rows that alternate, and the halves") {
+    const Element brick = element(rectangle(22, 10), filled({180, 80, 60})), half = element(rectangle(10, 10), filled({180, 80, 60}));
+    Scene scene;
+    for (int row = 0; row < 9; ++row) {
+        const bool even = row % 2 == 0;
+        for (int column = 0; column < (even ? 8 : 7); ++column) {
+            scene.elements.push_back(placed(brick, translate({24.0 * column + (even ? 0 : 12), 12.0 * row})));
+        }
+        if (even) continue;
+        scene.elements.push_back(placed(half, translate({-6, 12.0 * row})));
+        scene.elements.push_back(placed(half, translate({24 * 7 + 6, 12.0 * row})));
+    }
+    scene.viewport = {{-12, -6}, {180, 102}};
+    const Analysis found = analyze(scene);
+    INFO(rules_in_words(found.report));
+    CHECK(found.report.productions.size() <= 5);
+    CHECK(axiom_symbols(found.grammar) <= 2);
+    CHECK(found.grammar.exceptions.size() <= 1);
+    CHECK(found.report.check.passed);
+}
+
 TEST_CASE("equal blocks with gaps between them are blocks, not a row with holes") {
     const Analysis blocks = analyze(tiles(grid(19, 1, [](int c, int) { return c % 4 != 3; })));
     CHECK(rules_in_words(blocks.report) == "sequence of 3; sequence of 5");
