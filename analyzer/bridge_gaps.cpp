@@ -1,6 +1,7 @@
 #include "analyzer/bridge_gaps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <map>
 #include <set>
@@ -12,7 +13,7 @@ namespace rinceau {
 namespace {
 
 constexpr int widest_gap = 2;           // places that may be missing in a row
-constexpr std::size_t fewest_alone = 2;  // members of a run that may lie beyond a gap without another line's witness
+constexpr std::size_t fewest_alone = 2;  // members of the run at the end of a line that stands alone
 
 /// A stretch of a line without a gap.
 struct Segment {
@@ -240,11 +241,23 @@ class Bridge {
         return few_exceptions(pattern) && others >= same;
     }
 
-    /// A line that stands alone: its runs differ in length, and each is a run.
-    static bool stands_alone(const Witnesses& witnesses, const Line& line, const std::vector<Segment>& segments,
-                             const Pattern& pattern) {
+    /// Does a line of so many places, with a gap at most behind it, come round?
+    bool comes_round(std::size_t places) const {
+        const double allowed = state_.tolerance.turn(state_.part(rule().repeated).radius);
+        const double turn = arg(rule().step.linear), growth = std::abs(std::log(scale_of(rule().step)));
+        for (std::size_t n = places; n <= places + widest_gap; ++n) {
+            const auto count = static_cast<double>(n);
+            if (std::abs(turn) > allowed && std::abs(wrap_angle(count * turn)) <= allowed && count * growth <= allowed) return true;
+        }
+        return false;
+    }
+
+    /// A line that stands alone: its runs differ in length, and those at its ends, unless these meet, are runs.
+    bool stands_alone(const Witnesses& witnesses, const Line& line, const std::vector<Segment>& segments,
+                      const Pattern& pattern) const {
         const auto length = [](const Segment& s) { return s.end - s.begin; };
-        const bool runs = std::ranges::all_of(segments, [&](const Segment& s) { return length(s) >= fewest_alone; });
+        const bool ends = length(segments.front()) >= fewest_alone && length(segments.back()) >= fewest_alone;
+        const bool runs = ends || comes_round(line.places.size());
         const bool blocks = std::ranges::all_of(segments, [&](const Segment& s) { return length(s) == length(segments.front()); });
         const auto broken = witnesses.broken.find(line.places.size());
         const bool alone = broken != witnesses.broken.end() && broken->second.size() == 1 && broken->second.begin()->second == 1;

@@ -80,20 +80,29 @@ Rule ring_rule(const SearchState& state, const Rule& sequence, const RingPlan& p
     return fitted(rule, std::span(&plan.chain, 1), std::max(1.0, state.part(rule.repeated).radius));
 }
 
-/// The part of an equal ring, or a new one.
-int ring_part(SearchState& state, const Rule& rule, int count) {
+Point pivot_of(const Rule& rule) { return rule.step.translation / (Complex{1, 0} - rule.step.linear); }
+
+/// A part for the ring, and how many places on its next member stands.
+struct RingPart {
+    int part = 0;
+    int stride = 1;
+};
+
+/// The part of an equal ring, which may run the other way or leap, or a new one.
+RingPart ring_part(SearchState& state, const Rule& rule, int count) {
+    const Point pivot = pivot_of(rule);
     for (std::size_t p = 0; p < state.rules.parts.size(); ++p) {
         const Part& part = state.rules.parts[p];
         if (part.rule < 0 || part.count != count) continue;
         const Rule& other = state.rules.rules[static_cast<std::size_t>(part.rule)];
-        const bool alike = other.kind == RuleKind::ring && other.repeated == rule.repeated &&
-                           abs(other.step.linear - rule.step.linear) < 1e-9 &&
-                           abs(other.step.translation - rule.step.translation) <=
-                               state.tolerance.shift(1, abs(rule.step.translation));
-        if (alike) return static_cast<int>(p);
+        const bool alike = other.kind == RuleKind::ring && other.repeated == rule.repeated && !other.step.mirrored &&
+                           abs(pivot_of(other) - pivot) <= guard_slack * state.tolerance.shift(1, abs(pivot));
+        if (!alike) continue;
+        const auto places = static_cast<int>(std::lround(arg(other.step.linear) * count / two_pi));
+        return {static_cast<int>(p), ((places % count) + count) % count};
     }
     state.rules.rules.push_back(rule);
-    return part_of_count(state, static_cast<int>(state.rules.rules.size()) - 1, count);
+    return {part_of_count(state, static_cast<int>(state.rules.rules.size()) - 1, count), 1};
 }
 
 }  // namespace
@@ -106,9 +115,11 @@ void close_rings(SearchState& state, GridCache& grids, Substitution& made) {
         if (rule_of(state, i).kind != RuleKind::sequence) continue;
         const auto ring = ring_of(state, i);
         if (!ring) continue;
-        const int part = ring_part(state, ring_rule(state, rule_of(state, i), *ring), ring->count);
+        const auto [part, stride] = ring_part(state, ring_rule(state, rule_of(state, i), *ring), ring->count);
         Gathered plan;
-        for (const int member : ring->members) plan.members.push_back({member, {}, {}, 0});
+        for (int k = 0; k < ring->count; ++k) {
+            plan.members.push_back({ring->members[static_cast<std::size_t>(k * stride % ring->count)], {}, {}, 0});
+        }
         plan.runs = {i};
         const Similarity pose = ring->first * inverse(state.part(part).children.front().pose);
         std::set<int> parts;

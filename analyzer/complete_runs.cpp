@@ -64,7 +64,9 @@ class Completer {
             if (part.rule != rule_ || part.count >= largest || part.count + most_lacking < largest) continue;
             short_.insert(short_.end(), state_.members[p].begin(), state_.members[p].end());
         }
-        return !short_.empty();
+        const int repeated = state_.rules.rules[static_cast<std::size_t>(rule_)].repeated;
+        loose_ = state_.alive(repeated).size() >= 2;
+        return !short_.empty() || loose_;
     }
 
     /// The line with the most runs, of equal ones that with the fewest members missing.
@@ -73,21 +75,38 @@ class Completer {
         const std::vector<int>& whole = state_.alive(whole_);
         const std::size_t stride = 1 + (whole.size() - 1) / most_witnesses;
         for (std::size_t k = 0; k < whole.size(); k += stride) {
-            for (const int other : nearest_short(whole[k])) {
-                for (const Similarity& place : completed_places(other)) {
-                    const SideBySide line = line_through(whole[k], place);
-                    const bool enough = line.runs() >= fewest_runs && line.whole >= fewest_whole && !line.completions.empty() &&
-                                        one_missing_in * line.missing <= line.runs() * state_.part(whole_).count;
-                    const auto rank = [](const SideBySide& l) { return std::pair{l.runs(), -l.missing}; };
-                    if (enough && (!best || rank(line) > rank(*best))) best = line;
-                }
+            for (const Similarity& step : steps_from(whole[k])) {
+                const SideBySide line = line_along(whole[k], step);
+                const bool enough = line.runs() >= fewest_runs && line.whole >= fewest_whole && !line.completions.empty() &&
+                                    one_missing_in * line.missing <= line.runs() * state_.part(whole_).count;
+                const auto rank = [](const SideBySide& l) { return std::pair{l.runs(), -l.missing}; };
+                if (enough && (!best || rank(line) > rank(*best))) best = line;
             }
         }
         return best;
     }
 
-    std::vector<int> nearest_short(int whole) const {
-        std::vector<int> nearest = short_;
+    /// To where the shorter runs near by would stand if they were whole, and, if there are loose members, to where runs in
+    /// pieces may stand half way to another whole run.
+    std::vector<Similarity> steps_from(int whole) const {
+        const Similarity& first = state_.item(whole).pose;
+        std::vector<Similarity> steps;
+        for (const int other : nearest_of(short_, whole)) {
+            for (const Similarity& place : completed_places(other)) {
+                steps.push_back(step_between(first, nearest_pose(state_.part(whole_), place, first)));
+            }
+        }
+        if (!loose_) return steps;
+        for (const int other : nearest_of(state_.alive(whole_), whole)) {
+            if (other == whole) continue;
+            Similarity step = step_between(first, nearest_pose(state_.part(whole_), state_.item(other).pose, first));
+            step.translation = 0.5 * step.translation;
+            if (abs(step.linear - Complex{1, 0}) <= state_.tolerance.angle && !step.mirrored) steps.push_back(step);
+        }
+        return steps;
+    }
+
+    std::vector<int> nearest_of(std::vector<int> nearest, int whole) const {
         const auto distance = [&](int i) {
             return std::pair{abs(state_.item(i).pose.translation - state_.item(whole).pose.translation), i};
         };
@@ -108,9 +127,8 @@ class Completer {
         return places;
     }
 
-    SideBySide line_through(int whole, const Similarity& place) {
+    SideBySide line_along(int whole, const Similarity& step) {
         const Similarity& first = state_.item(whole).pose;
-        const Similarity step = step_between(first, nearest_pose(state_.part(whole_), place, first));
         SideBySide line;
         line.whole = 1;
         for (const Similarity& onward : {step, inverse(step)}) {
@@ -148,6 +166,7 @@ class Completer {
     int rule_;
     int whole_ = -1;
     std::vector<int> short_;
+    bool loose_ = false;  ///< are there members without a run?
 };
 
 }  // namespace
