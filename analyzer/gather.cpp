@@ -92,26 +92,27 @@ std::optional<Gathered> gather_sequence(const SearchState& state, GridCache& gri
 }
 
 std::optional<Gathered> gather_group(const SearchState& state, GridCache& grids, int p, const Similarity& pose,
-                                     double distance) {
+                                     double distance, bool witnessed) {
     const Part& whole = state.part(p);
     Gathered plan;
-    int leaves = 0, missing_leaves = 0;
+    const int leaves_that_may_lack = (whole.leaves - (witnessed ? 0 : 1)) / 2;
+    int missing_leaves = 0;
     for (const Child& child : whole.children) {
         const Similarity place = pose * child.pose;
         auto member = gather(state, grids, child.part, place, distance + abs(place.translation - pose.translation));
         const bool whole_member = member && member->exceptions == 0;
-        (whole_member ? leaves : missing_leaves) += state.part(child.part).leaves;
-        if (2 * missing_leaves > whole.leaves) return std::nullopt;
+        missing_leaves += whole_member ? 0 : state.part(child.part).leaves;
+        if (missing_leaves > leaves_that_may_lack) return std::nullopt;
         plan.exceptions += whole_member ? 0 : 1;
         plan.members.push_back(whole_member ? std::move(*member) : Gathered{});
     }
-    return leaves > missing_leaves ? std::optional(plan) : std::nullopt;
+    return plan;
 }
 
 }  // namespace
 
-std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int part, const Similarity& pose,
-                               double distance) {
+std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int part, const Similarity& pose, double distance,
+                               bool witnessed) {
     if (!state.alive(part).empty()) {
         if (const auto match = grids.of(part).find(pose, distance, link_tolerance(state))) return Gathered{match->item, {}, {}, 0};
     }
@@ -120,7 +121,7 @@ std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int p
         case RuleKind::sequence:
             return gather_sequence(state, grids, part, pose, distance);
         case RuleKind::group:
-            return gather_group(state, grids, part, pose, distance);
+            return gather_group(state, grids, part, pose, distance, witnessed);
         default:
             return std::nullopt;
     }

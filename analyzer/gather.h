@@ -21,8 +21,10 @@ struct Gathered {
 };
 
 /// What stands at `pose`, predicted over `distance` (scene length), as an item of `part`; a part is gathered if half of
-/// it is there; of a sequence, one with another count may stand in for it. Only living items are seen.
-std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int part, const Similarity& pose, double distance);
+/// a sequence or more than half of a group is there; of a sequence, one with another count may stand in for it. Only living items are seen.
+/// Where something belongs for other reasons (`witnessed`), just half of a group is enough.
+std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int part, const Similarity& pose, double distance,
+                               bool witnessed = false);
 
 /// Members of an item of a sequence, from the end whose place is nearer to `first`.
 std::vector<int> members_from(const SearchState& state, int item, const Similarity& first);

@@ -9,6 +9,7 @@
 #include "analyzer/close_rings.h"
 #include "analyzer/complete_runs.h"
 #include "analyzer/propose.h"
+#include "analyzer/settle_gaps.h"
 #include "analyzer/substitute.h"
 
 namespace rinceau {
@@ -56,6 +57,7 @@ class Search {
                 propose_everything();
             }
         }
+        settle_gaps(state_, grids_);
         return std::move(state_);
     }
 
