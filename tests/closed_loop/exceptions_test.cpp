@@ -127,6 +127,57 @@ TEST_CASE("a facade of windows of two parts has its doors as exceptions") {
     CHECK(leaves_without_exceptions(found.grammar) == 2 * 96);
 }
 
+TEST_CASE("a window without its pane is a window, and so is one with a curtain") {
+    const Element frame = element(rectangle(20, 30), filled({30, 50, 80})), pane = element(rectangle(14, 12), filled({150, 200, 255})),
+                  curtain = element(star(5), filled({250, 200, 60}));
+    const std::set<Place> open{{4, 2}, {5, 2}, {1, 1}, {9, 5}};
+    Scene scene;
+    for (const auto& [column, row] : grid(10, 6, [](int, int) { return true; })) {
+        const Similarity place = translate({40.0 * column, 45.0 * row});
+        scene.elements.push_back(placed(frame, place));
+        if (column == 3 && row == 3) {
+            scene.elements.push_back(placed(curtain, place * translate({0, 5}) * scale_by(6)));
+        } else if (open.count({column, row}) == 0) {
+            scene.elements.push_back(placed(pane, place * translate({0, 4})));
+        }
+    }
+    scene.viewport = {{-20, -30}, {390, 260}};
+    const Analysis found = analyze(scene);
+    CHECK(found.report.productions.size() == 3);
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.report.check.passed);
+    REQUIRE(found.grammar.exceptions.size() == 5);
+    for (const Exception& exception : found.grammar.exceptions) CHECK(exception.address.size() == 4);
+    CHECK(leaves_without_exceptions(found.grammar) == 120);
+}
+
+TEST_CASE("rings of many members may lack several, and a ring among others one") {
+    const Element petal = element(leaf(), filled({50, 150, 50}));
+    Scene scene;
+    for (int k = 0; k < 36; ++k) {
+        if (k == 15 || k == 17 || k == 26 || k == 30) continue;
+        scene.elements.push_back(placed(petal, rotate(two_pi * k / 36) * translate({0, 200}) * scale_by(10)));
+    }
+    scene.viewport = {{-220, -220}, {220, 220}};
+    const Analysis clock = analyze(scene);
+    CHECK(rules_in_words(clock.report) == "ring of 36");
+    CHECK(clock.grammar.exceptions.size() == 4);
+
+    Scene flowers;
+    for (const auto& [column, row] : grid(4, 3, [](int, int) { return true; })) {
+        for (int k = 0; k < 7; ++k) {
+            if (column == 2 && row == 0 && k == 3) continue;
+            const Similarity at = translate({130.0 * column, 130.0 * row}) * rotate(two_pi * k / 7) * translate({0, 40});
+            flowers.elements.push_back(placed(petal, at * scale_by(10)));
+        }
+    }
+    flowers.viewport = {{-60, -60}, {450, 320}};
+    const Analysis found = analyze(flowers);
+    CHECK(found.report.productions.size() == 3);
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.grammar.exceptions.size() == 1);
+}
+
 TEST_CASE("a ring that lacks a member, or has another thing in its place, is the ring") {
     const Element disc = element(circle(), filled({60, 200, 60})), other = element(star(5), filled({200, 0, 200}));
     for (const Element& look : {tile(), disc}) {
