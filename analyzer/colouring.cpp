@@ -10,10 +10,10 @@
 
 #include "analyzer/colour_pattern.h"
 #include "analyzer/derivation_tree.h"
+#include "analyzer/repetition.h"
 #include "analyzer/terminals.h"
 #include "analyzer/tint_text.h"
 #include "lsystem/interpret.h"
-#include "lsystem/turtle_commands.h"
 
 namespace rinceau {
 
@@ -63,12 +63,6 @@ void renumber_styles(Grammar& grammar, Palette& palette) {
 
 // ---- productions as the derivation uses them ----
 
-/// How a production's copies repeat: P(m) : m > 0 -> .. P(m-1) at its end.
-struct Repetition {
-    std::string counter;
-    int modules = 1;  ///< counted in an address, for each repetition
-};
-
 struct SymbolUse {
     std::vector<int> owners;  ///< nodes of the tree: copies of the production
     std::vector<int> sites;   ///< in its successors
@@ -76,27 +70,6 @@ struct SymbolUse {
     std::optional<Repetition> repetition;
     std::vector<TintParameter> parameters;
 };
-
-std::optional<Repetition> repetition_of(const Grammar& grammar, const std::string& symbol) {
-    const Production* only = nullptr;
-    for (const Production& production : grammar.productions) {
-        if (production.symbol != symbol) continue;
-        if (only != nullptr) return std::nullopt;
-        only = &production;
-    }
-    if (only == nullptr || only->parameters.empty() || only->successor.empty()) return std::nullopt;
-    const ModuleTemplate& last = only->successor.back();
-    const std::string& counter = only->parameters.front();
-    if (last.symbol != symbol || last.arguments.empty() || to_text(last.arguments.front()) != counter + "-1") return std::nullopt;
-    Repetition repetition{counter, 0};
-    for (const ModuleTemplate& module : only->successor) {
-        if (find_turtle_command(module.symbol) != nullptr) continue;
-        if (module.symbol == symbol && &module != &last) return std::nullopt;
-        repetition.modules += module.symbol == symbol ? 0 : 1;
-    }
-    if (repetition.modules == 0) return std::nullopt;
-    return repetition;
-}
 
 class Colouring {
   public:
@@ -176,11 +149,6 @@ class Colouring {
         std::size_t tints = 0;   ///< how many different ones
     };
 
-    int number_in_parent(int n) const {
-        const DerivedModule& at = node(n);
-        return leaves_[index(at.leaf)].address[index(at.address_length - 1)];
-    }
-
     /// The counter's value at the call, if it can be told; else as many repetitions as are there.
     int repetitions(int owner, const Repetition& repetition, int seen) const {
         const ModuleTemplate& call = module_at(node(owner).site);
@@ -200,7 +168,7 @@ class Colouring {
         for (const int s : use.sites) {
             for (const int n : nodes_of_site_[index(s)]) {
                 int& count = counts[index(owner_index.at(node(n).parent))];
-                count = std::max(count, (number_in_parent(n) - 1) / use.repetition->modules + 1);
+                count = std::max(count, turn_of(tree_, leaves_, n, *use.repetition) + 1);
             }
         }
         for (std::size_t k = 0; k < counts.size(); ++k)
@@ -226,7 +194,7 @@ class Colouring {
                 for (const int n : nodes_of_site_[index(s)]) {
                     if (replaced_.contains(n) || arguments_[index(n)].empty()) continue;
                     const int owner = owner_index.at(node(n).parent);
-                    const int turn = use.repetition ? (number_in_parent(n) - 1) / use.repetition->modules : 0;
+                    const int turn = use.repetition ? turn_of(tree_, leaves_, n, *use.repetition) : 0;
                     const int m = use.repetition ? counts[index(owner)] - turn : 0;
                     column.uses.uses.push_back({owner, m, arguments_[index(n)][argument]});
                     column.nodes.push_back(n);

@@ -11,16 +11,11 @@
 #include "analyzer/derivation_tree.h"
 #include "analyzer/layer_demands.h"
 #include "analyzer/layer_text.h"
+#include "analyzer/repetition_layers.h"
 #include "lsystem/interpret.h"
 
 namespace rinceau {
 namespace {
-
-/// Leaf `lower` must be painted before leaf `upper`; both count in order of derivation.
-struct LeafPair {
-    int lower = 0;
-    int upper = 0;
-};
 
 /// Everything that stays the same while layers are tried.
 struct Problem {
@@ -280,17 +275,40 @@ bool paints_in_order(const Grammar& grammar, const Problem& problem) {
                        [&](const LeafPair& pair) { return at(position, pair.lower) < at(position, pair.upper); });
 }
 
+struct LayeredGrammar {
+    Grammar grammar;
+    std::size_t cost = 0;
+};
+
+/// By the cheapest plan that works.
+LayeredGrammar layered(const Problem& problem) {
+    if (paints_in_order(problem.grammar, problem)) return {problem.grammar, 0};
+    for (const Plan& plan : plans_by_cost(problem)) {
+        Grammar ordered = written(problem, plan);
+        if (paints_in_order(ordered, problem)) return {std::move(ordered), plan.cost};
+    }
+    assert(!"a leaf can always be raised by an exception of its own");
+    return {problem.grammar, 0};
+}
+
+std::size_t modules_in_productions(const Grammar& grammar) {
+    std::size_t modules = 0;
+    for (const Production& production : grammar.productions) modules += production.successor.size();
+    return modules;
+}
+
 }  // namespace
 
 Grammar with_paint_order(const Grammar& grammar, const std::vector<int>& element_of_leaf, const Overlaps& overlaps) {
     const Problem problem = state_problem(grammar, element_of_leaf, overlaps);
-    if (paints_in_order(grammar, problem)) return grammar;
-    for (const Plan& plan : plans_by_cost(problem)) {
-        Grammar ordered = written(problem, plan);
-        if (paints_in_order(ordered, problem)) return ordered;
-    }
-    assert(!"a leaf can always be raised by an exception of its own");
-    return grammar;
+    LayeredGrammar ordered = layered(problem);
+    if (ordered.cost == 0) return std::move(ordered.grammar);
+    // The same with layers that rise along sequences.
+    const Grammar rising = with_repetition_layers(grammar, problem.leaves, problem.tree, problem.pairs);
+    const std::size_t commands = modules_in_productions(rising) - modules_in_productions(grammar);
+    if (commands == 0 || commands >= ordered.cost) return std::move(ordered.grammar);
+    LayeredGrammar other = layered(state_problem(rising, element_of_leaf, overlaps));
+    return std::move(other.cost + commands < ordered.cost ? other.grammar : ordered.grammar);
 }
 
 }  // namespace rinceau

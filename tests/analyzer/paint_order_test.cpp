@@ -233,3 +233,25 @@ TEST_CASE("whatever the order of the drawing, it is painted so") {
         }
     }
 }
+
+TEST_CASE("columns that lie row upon row take one layer for each repetition") {
+    constexpr int columns = 6, rows = 5;
+    const Grammar grammar = grammar_of("axiom: G(6)\nG(m) : m > 0 -> [C(5)] +(90) f(1) -(90) G(m-1)\nC(m) : m > 0 -> [A] f(1) C(m-1)");
+    std::vector<int> element_of_leaf;  // the drawing goes row by row
+    for (int column = 0; column < columns; ++column) {
+        for (int row = 0; row < rows; ++row) element_of_leaf.push_back(row * columns + column);
+    }
+    std::vector<std::pair<int, int>> pairs;
+    for (int column = 0; column < columns; ++column) {
+        for (int row = 0; row + 1 < rows; ++row) {
+            for (const int other : {column - 1, column, column + 1}) {
+                if (other >= 0 && other < columns) pairs.emplace_back(column * rows + row, other * rows + row + 1);
+            }
+        }
+    }
+    const Overlaps overlaps = pairs_of_leaves(pairs, element_of_leaf);
+    const Grammar ordered = with_paint_order(grammar, element_of_leaf, overlaps);
+    check_painted_right(grammar, ordered, element_of_leaf, overlaps);
+    CHECK(ordered.exceptions.empty());
+    CHECK(layer_commands(ordered) == 1);
+}
