@@ -109,10 +109,26 @@ Similarity upright_gauge(const RuleSet& rules, const Part& part, const Similarit
     return best;
 }
 
-bool begins_with_a_look(const RuleSet& rules, const Part& part) {
+/// A gradient that is symmetric to the eye need not be so to the proof.
+bool has_gradient(const Style& style) {
+    const auto is_gradient = [](const Paint& paint) { return std::holds_alternative<std::shared_ptr<const Gradient>>(paint); };
+    return is_gradient(style.fill) || is_gradient(style.stroke.paint);
+}
+
+std::vector<char> turnable_parts(const RuleSet& rules, const Instancing& instancing) {
+    std::vector<char> turnable(rules.parts.size(), 0);
+    for (std::size_t p = 0; p < rules.parts.size(); ++p) {
+        if (rules.parts[p].look < 0) continue;
+        const Look& look = instancing.looks[static_cast<std::size_t>(rules.parts[p].look)];
+        turnable[p] = !has_gradient(look.unit_style) && std::ranges::none_of(look.tints, has_gradient);
+    }
+    return turnable;
+}
+
+bool begins_with_a_look(const RuleSet& rules, const Part& part, const std::vector<char>& turnable) {
     const RuleKind kind = rules.rules[static_cast<std::size_t>(part.rule)].kind;
     return (kind == RuleKind::group || kind == RuleKind::sequence) &&
-           rules.parts[static_cast<std::size_t>(part.children.front().part)].look >= 0;
+           turnable[static_cast<std::size_t>(part.children.front().part)] != 0;
 }
 
 /// Groups and sequences whose first member looks the same when it is turned stand as upright as they can where they are met
@@ -148,6 +164,7 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
     std::vector<Complex> commonest = commonest_poses(instancing);
     take_roots_of_trees(rules, commonest);
     const std::vector<std::optional<Similarity>> poses = first_poses(rules, roots);
+    anchors.turnable = turnable_parts(rules, instancing);
     anchors.gauge_of_rule.resize(rules.rules.size());
     std::vector<bool> decided(rules.rules.size(), false);
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
@@ -155,7 +172,7 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
         if (part.look >= 0) {
             const Complex pose = commonest[static_cast<std::size_t>(part.look)];
             anchors.of_part[p].linear = Complex{1, 0} / polar(abs(pose), natural_angle(arg(pose)));
-        } else if (begins_with_a_look(rules, part)) {
+        } else if (begins_with_a_look(rules, part, anchors.turnable)) {
             anchors.of_part[p] = upright_anchor(rules, part, poses[p], anchors, decided);
         } else {
             anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);

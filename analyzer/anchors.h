@@ -11,6 +11,7 @@ namespace rinceau {
 
 struct Anchors {
     std::vector<Similarity> of_part;    ///< turtle frame -> part frame
+    std::vector<char> turnable;             ///< looks that may be drawn in any of their equivalent poses: no gradient tells
     std::vector<Similarity> gauge_of_rule;  ///< sequences: how every member is turned, by one of its symmetries, before its anchor
     std::vector<double> largest_scale;  ///< of the turtle at the part's modules, in scene lengths per unit; 0 = not in use
     std::vector<double> extent;         ///< radius of the part in turtle units

@@ -54,7 +54,7 @@ MoveSlack move_slack(const WritingContext& context, double scale, double advance
 
 Similarity least_turning_gauge(const WritingContext& context, const Similarity& pose, int part) {
     Similarity best;
-    if (context.part(part).look < 0) return best;
+    if (context.anchors.turnable[static_cast<std::size_t>(part)] == 0) return best;
     constexpr double clearly = 1e-3;  // radians
     constexpr double mirrored = two_pi;
     const Similarity &anchor = context.anchor(part), frame = pose * inverse(anchor);

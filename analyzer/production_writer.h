@@ -48,7 +48,7 @@ ModuleTemplate module_of(const WritingContext& context, int part);
 MoveSlack move_slack(const WritingContext& context, double scale, double advance, double reach, int times);
 
 /// Of the symmetries of a terminal the one that, before its anchor, turns it least when it is drawn at `pose`, unmirrored if
-/// there is one; the identity for other parts.
+/// there is one; the identity for parts that are not turnable.
 Similarity least_turning_gauge(const WritingContext& context, const Similarity& pose, int part);
 
 /// [move, module] for a part at a pose in the frame of a turtle at scale `scale`, turned by its gauge; in brackets if
