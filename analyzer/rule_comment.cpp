@@ -160,7 +160,7 @@ std::string sequence_numbers(const RuleSet& rules, const Part& part, const RuleU
     return text;
 }
 
-/// "A, 2 B and C together"
+/// "A, 2 B and C together"; of many kinds, "A, 2 B, C, D, E and 130 more together"
 std::string group_comment(const Part& part, const std::vector<std::string>& names) {
     std::vector<std::pair<std::string, int>> members;
     for (const Child& child : part.children) {
@@ -168,13 +168,18 @@ std::string group_comment(const Part& part, const std::vector<std::string>& name
         const auto known = std::ranges::find(members, name, &std::pair<std::string, int>::first);
         known == members.end() ? members.emplace_back(name, 1).second : ++known->second;
     }
+    constexpr std::size_t most_kinds = 8, shown_of_many = 5;
+    const bool many = members.size() > most_kinds;
+    const std::size_t shown = many ? shown_of_many : members.size();
+    auto unnamed = static_cast<int>(part.children.size());
     std::string text;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-        if (k > 0) text += k + 1 == members.size() ? " and " : ", ";
+    for (std::size_t k = 0; k < shown; ++k) {
+        if (k > 0) text += k + 1 == shown && !many ? " and " : ", ";
         if (members[k].second > 1) text += std::to_string(members[k].second) + " ";
         text += members[k].first;
+        unnamed -= members[k].second;
     }
-    return text + " together";
+    return text + (many ? " and " + std::to_string(unnamed) + " more" : "") + " together";
 }
 
 std::string ring_comment(const RuleSet& rules, const Part& part, const std::string& what, const RuleUse& use) {
