@@ -1,10 +1,8 @@
 #include "analyzer/analyze.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <future>
 #include <mutex>
@@ -18,32 +16,22 @@
 #include "analyzer/inline_groups.h"
 #include "analyzer/openings.h"
 #include "analyzer/order_rules.h"
-#include "analyzer/overlaps.h"
 #include "analyzer/paint_order.h"
 #include "analyzer/report.h"
 #include "analyzer/residuals.h"
-#include "analyzer/shape_looks.h"
+#include "analyzer/same_picture.h"
 #include "analyzer/to_grammar.h"
-#include "geometry/parallel.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
 #include "lsystem/to_scene.h"
-#include "scene/svg_raster.h"
-#include "scene/svg_write.h"
 
 namespace rinceau {
 
 namespace {
 
-constexpr std::size_t most_elements = 5'000'000;
-
 // Shares of the diagonal. A picture 900 pixels wide has a diagonal of some 1100 pixels: the first is a tenth of a pixel.
 constexpr double exact_share = 8e-5;     // an element may miss its place by this before it gets an exception
 constexpr double digits_share = 1.5e-5;  // one number of the grammar may move what follows it by this
-constexpr double outline_share = 1e-4;   // copies may differ from their terminal by this
-
-/// Tried in turn unless the user names one, in element sizes (docs/analysis.md, 9).
-constexpr double tolerance_ladder[] = {0.01, 0.003, 0.03};
 
 class Stopwatch {
   public:
@@ -119,13 +107,6 @@ RuleSet no_rules(const Drawing& drawing) {
     return flat;
 }
 
-std::vector<double> tolerances(const AnalyzeOptions& options, std::size_t elements) {
-    if (options.tolerance > 0) return {options.tolerance};
-    // Large drawings are made by machines: the loosest tolerance is left out there.
-    constexpr std::size_t large = 3000;
-    return {std::begin(tolerance_ladder), std::end(tolerance_ladder) - (elements > large ? 1 : 0)};
-}
-
 /// What decides between descriptions of one drawing: their bits, and for each production what it costs a reader to take in
 /// one more thing. (Two rules that fit loosely read better than four that fit to the last bit.)
 double reading_cost(const Description& description) {
@@ -168,49 +149,80 @@ void run_tasks(std::size_t count, int threads, const Progress& progress,
     for (auto& other : others) other.get();
 }
 
-/// For each reading of the drawing and each tolerance, in their order, the best description of all openings.
-std::vector<Description> describe_all(const std::vector<Drawing>& drawings, const std::vector<double>& tolerances,
-                                      const SearchOptions& search, int threads, const Progress& progress) {
-    const std::size_t ways = drawings.size() * tolerances.size();
-    const auto drawing_of = [&](std::size_t way) -> const Drawing& { return drawings[way / tolerances.size()]; };
-    const auto tolerance_of = [&](std::size_t way) { return tolerances[way % tolerances.size()]; };
-    std::vector<SearchState> starts(ways);
-    run_tasks(ways, threads, progress, [&](std::size_t way, const Progress&) {
-        const PoseTolerance tolerance{tolerance_of(way), tolerance_of(way), PoseTolerance{}.per_distance};
-        starts[way] = starting_state(drawing_of(way).instancing, tolerance, drawing_of(way).diagonal);
-    });
-    std::vector<Reading> readings(ways);
-    std::mutex offering;
-    // All ways of an opening before the next opening: the search from below takes longest and comes first.
-    const std::size_t tried = search.objective == Objective::paper ? 1 : openings().size();  // the paper works from below only
-    run_tasks(ways * tried, threads, progress, [&](std::size_t k, const Progress& told) {
-        const std::size_t way = k % ways, o = k / ways;
-        std::optional<SearchState> opened = openings()[o].open(starts[way], search, told);
-        if (!opened) return;
-        std::optional<Description> description =
-            describe(drawing_of(way), generate_rules(std::move(*opened), search, told).rules, tolerance_of(way));
-        if (!description) return;
-        const double cost = reading_cost(*description) / openings()[o].convincing_share;
-        const std::lock_guard lock(offering);
-        readings[way].offer(std::move(*description), cost, o);
-    });
-    std::vector<Description> descriptions;
-    for (Reading& reading : readings) {
-        if (reading.description) descriptions.push_back(std::move(*reading.description));
-    }
-    return descriptions;
+/// Is the whole drawing one row of one thing, or rows of one row, moved only and exactly? What a person sees is found then,
+/// and nothing says less: no need to look any further.
+bool is_plain_lattice(const Description& description) {
+    const RuleSet& found = description.ordered.rules;
+    constexpr std::size_t rows_of_rows = 2;
+    return description.ordered.roots.size() == 1 && !found.rules.empty() && found.rules.size() <= rows_of_rows &&
+           description.exact.exceptions.empty() && std::ranges::all_of(found.rules, [](const Rule& rule) {
+               return rule.kind == RuleKind::sequence && rule.step.linear == Complex{1, 0} && !rule.step.mirrored;
+           });
 }
 
-/// Do the drawing and what the grammar draws look the same, 900 pixels wide?
-bool same_picture(const Scene& scene, const Grammar& grammar, int threads) {
-    constexpr int width = 900;
-    constexpr double allowed = 0.002;  // of the inked pixels
-    std::array<Picture, 2> pictures;
-    for_each_index(pictures.size(), threads, [&](std::size_t k) {
-        pictures[k] = svg_to_picture(k == 0 ? write_svg(scene) : grammar_svg(grammar, interpret(grammar)), width);
-    });
-    return picture_difference(pictures[0], pictures[1]) <= allowed;
-}
+/// For each reading of the drawing and each tolerance, in their order, the best description of all openings; a single one if
+/// it leaves nothing to wish for.
+class Describer {
+  public:
+    Describer(const std::vector<Drawing>& drawings, const PreparedDrawing& prepared, const SearchOptions& search)
+        : drawings_(drawings), prepared_(prepared), search_(search), readings_(drawings.size() * tolerances()) {}
+
+    std::vector<Description> run(int threads, const Progress& progress) {
+        // All ways of an opening before the next opening: the search from below takes longest and comes first.
+        const bool paper = search_.objective == Objective::paper;  // works from below only
+        const std::size_t tried = paper ? 1 : openings().size();
+        run_tasks(readings_.size() * tried, threads, progress, [&](std::size_t k, const Progress& told) {
+            try {
+                describe_from(k / readings_.size(), k % readings_.size(), told);
+            } catch (const Settled&) {
+                // Another one leaves nothing to wish for.
+            }
+        });
+        std::vector<Description> descriptions;
+        for (Reading& reading : readings_) {
+            if (reading.description && (!settled_ || &reading == &readings_.front()))
+                descriptions.push_back(std::move(*reading.description));
+        }
+        return descriptions;
+    }
+
+  private:
+    struct Settled {};
+
+    std::size_t tolerances() const { return prepared_.readings.front().starts.size(); }
+
+    /// `way` counts readings of the drawing and tolerances.
+    void describe_from(std::size_t opening, std::size_t way, const Progress& told) {
+        const Progress until_settled = [&](std::string_view stage, double fraction) {
+            if (settled_) throw Settled{};
+            report(told, stage, fraction);
+        };
+        if (settled_) return;
+        const SearchState& start = prepared_.readings[way / tolerances()].starts[way % tolerances()];
+        std::optional<SearchState> opened = openings()[opening].open(start, search_, until_settled);
+        if (!opened) return;
+        SearchState found = generate_rules(std::move(*opened), search_, until_settled);
+        std::optional<Description> description =
+            describe(drawings_[way / tolerances()], std::move(found.rules), start.tolerance.size);
+        if (!description) return;
+        const double cost = reading_cost(*description) / openings()[opening].convincing_share;
+        const std::lock_guard lock(offering_);
+        if (settled_) return;
+        // Only the first of all may settle it, so that the result is the same for any order of the calls.
+        if (opening == 0 && way == 0 && is_plain_lattice(*description)) {
+            settled_ = true;
+            readings_.front() = {};
+        }
+        readings_[way].offer(std::move(*description), cost, opening);
+    }
+
+    const std::vector<Drawing>& drawings_;
+    const PreparedDrawing& prepared_;
+    const SearchOptions& search_;
+    std::vector<Reading> readings_;
+    std::mutex offering_;
+    std::atomic<bool> settled_ = false;
+};
 
 Overlaps with_faint_pairs(Overlaps overlaps) {
     overlaps.pairs.insert(overlaps.pairs.end(), overlaps.faint.begin(), overlaps.faint.end());
@@ -234,6 +246,13 @@ Proof proof_of(const Drawing& drawing, const Description& description, const Ove
     return proof;
 }
 
+/// Does it look the same though pairs are exchanged whose order hardly shows?
+bool looks_the_same(const Drawing& drawing, const Proof& proof, int threads) {
+    const std::vector<OverlapPair>& exchanged = proof.check.exchanged_faint;
+    if (exchanged.empty()) return true;
+    return same_picture(drawing.scene, to_scene(proof.grammar, interpret(proof.grammar)), exchanged, threads);
+}
+
 }  // namespace
 
 Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
@@ -243,30 +262,22 @@ Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
 }
 
 Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progress& progress) {
-    if (scene.elements.size() > most_elements) {
-        throw LimitError({}, "the drawing has " + std::to_string(scene.elements.size()) + " elements; at most " +
-                                 std::to_string(most_elements) + " can be analysed: split the drawing");
-    }
+    return analyze(prepare_drawing(scene, options, progress), options, progress);
+}
+
+Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options, const Progress& progress) {
     Analysis analysis;
     AnalysisReport& report_out = analysis.report;
+    report_out.seconds.similarity = prepared.seconds;
     Stopwatch watch;
-
-    // Similarity: which elements are copies of which.
-    report(progress, "similarity", 0);
-    SimilarityOptions similarity = options.similarity;
-    similarity.tolerance_of_diagonal = std::min(similarity.tolerance_of_diagonal, outline_share);
-    similarity.threads = options.threads;
-    const Instancing instancing = group_similar_elements(scene, similarity, progress);
-    OverlapOptions visible_only;
-    visible_only.antialiasing = false;
-    visible_only.threads = options.threads;
-    Overlaps overlaps = find_overlaps(scene, visible_only);
-    const double diagonal = drawing_diagonal(scene), flat_bits = flat_list_bits(instancing, diagonal);
+    const Overlaps& overlaps = prepared.overlaps;
     // Two readings: equal shapes in other styles are other looks, or one look with its colours as arguments.
-    const std::optional<Instancing> by_shape = merged_by_shape(instancing, diagonal);
-    std::vector<Drawing> drawings{{scene, instancing, overlaps, diagonal, flat_bits}};
-    if (by_shape && options.objective == Objective::bits) drawings.push_back({scene, *by_shape, overlaps, diagonal, flat_bits});
-    report_out.seconds.similarity = watch.lap();
+    const double flat_bits = flat_list_bits(prepared.readings.front().instancing, prepared.diagonal);
+    std::vector<Drawing> drawings;
+    for (const PreparedReading& reading : prepared.readings) {
+        if (drawings.empty() || options.objective == Objective::bits)
+            drawings.push_back({*prepared.scene, reading.instancing, overlaps, prepared.diagonal, flat_bits});
+    }
 
     // Rules, at several tolerances; the shortest description that proves right is kept.
     SearchOptions search;
@@ -274,7 +285,7 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
     search.objective = report_out.objective = options.objective;
     const bool shortest = options.objective == Objective::bits;
     std::vector<Description> descriptions =
-        describe_all(drawings, tolerances(options, scene.elements.size()), search, options.threads, progress);
+        Describer(drawings, prepared, search).run(options.threads, progress);
     std::ranges::stable_sort(descriptions, {}, reading_cost);
     std::erase_if(descriptions, [&](const Description& d) { return shortest && d.bits.grammar >= d.bits.drawing; });
     report_out.seconds.rules = watch.lap();
@@ -286,7 +297,7 @@ Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progre
         if (last) descriptions.push_back(*describe(drawings.front(), no_rules(drawings.front()), 0));
         const Description& description = descriptions[tried];
         Proof proof = proof_of(drawings.front(), description, overlaps, options.threads);
-        if (proof.check.passed && proof.check.wrong_faint > 0 && !same_picture(scene, proof.grammar, options.threads)) {
+        if (proof.check.passed && !looks_the_same(drawings.front(), proof, options.threads)) {
             // What hardly shows once shows when it comes by the hundred: these orders are kept as well.
             proof = proof_of(drawings.front(), description, with_faint_pairs(overlaps), options.threads);
         }

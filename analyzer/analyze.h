@@ -4,23 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/importance.h"
-#include "analyzer/instancing.h"
+#include "analyzer/prepare_drawing.h"
 #include "analyzer/verify.h"
 #include "geometry/progress.h"
 #include "lsystem/grammar.h"
 #include "scene/element.h"
 
 namespace rinceau {
-
-struct AnalyzeOptions {
-    SimilarityOptions similarity;
-    /// Largest deviation of a repetition, in element sizes. 0 = several are tried and the shortest grammar is kept.
-    double tolerance = 0;
-    ImportanceWeights weights;
-    Objective objective = Objective::bits;
-    int threads = 0;  ///< 0 = one per processor; the result is the same for any number
-};
 
 struct ProductionReport {
     std::string symbol;
@@ -63,6 +53,10 @@ struct Analysis {
 
 /// Throws LimitError for drawings over 5,000,000 elements.
 Analysis analyze(const Scene& scene, const AnalyzeOptions& options = {}, const Progress& progress = {});
+
+/// The same for a drawing that was prepared: with other weights or another objective in much less time. The rest of the
+/// options must be what it was prepared with.
+Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options = {}, const Progress& progress = {});
 
 /// The grammar that lists every element in the axiom: no rules, always exact.
 Grammar flat_grammar(const Scene& scene, const Instancing& instancing);

@@ -15,12 +15,42 @@ namespace {
 
 const Item& item_at(const RuleSet& rules, int item) { return rules.items[static_cast<std::size_t>(item)]; }
 
+/// Small numbers for keys below a limit: a table where many of the keys will be used, else a map.
+class Numbers {
+  public:
+    static constexpr int none = IndexMap::none;
+
+    Numbers(std::size_t limit, std::size_t expected) : map_(limit <= sparse * expected ? 0 : expected) {
+        if (limit <= sparse * expected) table_.assign(limit, none);
+    }
+    int find(std::size_t key) const { return table_.empty() ? map_.find(key) : table_[key]; }
+    void set(std::size_t key, int value) {
+        if (table_.empty()) {
+            map_.set(key, value);
+        } else {
+            table_[key] = value;
+        }
+    }
+    int find_or_insert(std::size_t key, int value) {
+        if (table_.empty()) return map_.find_or_insert(key, value);
+        if (table_[key] == none) table_[key] = value;
+        return table_[key];
+    }
+
+  private:
+    static constexpr std::size_t sparse = 16;  // a table has at most so many times more room than keys
+    std::vector<int> table_;
+    IndexMap map_;
+};
+
 /// (item, gauge) pairs numbered as they are met, with who follows whom.
 class States {
   public:
-    States(std::size_t gauges, std::size_t expected) : gauges_(gauges), ids_(expected) { list_.reserve(expected); }
+    States(std::size_t items, std::size_t gauges, std::size_t expected) : gauges_(gauges), ids_(items * gauges, expected) {
+        list_.reserve(expected);
+    }
     int id(int item, int gauge) {
-        const std::uint64_t key = static_cast<std::uint64_t>(item) * gauges_ + static_cast<std::uint64_t>(gauge);
+        const std::size_t key = static_cast<std::size_t>(item) * gauges_ + static_cast<std::size_t>(gauge);
         const int known = ids_.find_or_insert(key, size());
         if (known == size()) list_.push_back({item, gauge});
         return known;
@@ -36,9 +66,9 @@ class States {
     int size() const { return static_cast<int>(list_.size()); }
 
   private:
-    std::uint64_t gauges_;
+    std::size_t gauges_;
     std::vector<State> list_;
-    IndexMap ids_;
+    Numbers ids_;
 };
 
 /// Which gauges lead along the same items: a symmetry that the step carries into a symmetry of the same kind (a mirror image
@@ -119,12 +149,12 @@ Similarity continued_frame(const Following& following, const Similarity& frame, 
 
 /// Walks from `start` until the end or until an item comes again; marks what it passes. `seen` holds for each item the last
 /// start of a walk that met it.
-Chain walk(const States& states, int start, const Following& following, std::vector<char>& passed, IndexMap& seen) {
+Chain walk(const States& states, int start, const Following& following, std::vector<char>& passed, Numbers& seen) {
     Chain chain;
     chain.gauge = states[start].gauge;
     for (int at = start; at >= 0 && !passed[static_cast<std::size_t>(at)]; at = states[at].next) {
         const States::State& state = states[at];
-        const auto item = static_cast<std::uint64_t>(state.item);
+        const auto item = static_cast<std::size_t>(state.item);
         if (seen.find(item) == start) {
             chain.closed = state.item == chain.items.front() && chain.items.size() >= 3;
             break;
@@ -152,7 +182,7 @@ Chain begun_at_lowest(const RuleSet& rules, Chain chain) {
 /// Paths from states without a predecessor, then cycles.
 std::vector<Chain> walked_chains(const States& states, const Following& following) {
     std::vector<char> passed(static_cast<std::size_t>(states.size()), 0);
-    IndexMap seen(static_cast<std::size_t>(states.size()));
+    Numbers seen(following.rules.items.size(), static_cast<std::size_t>(states.size()));
     std::vector<Chain> chains;
     for (const bool cycles : {false, true}) {
         for (int start = 0; start < states.size(); ++start) {
@@ -179,7 +209,9 @@ std::vector<Chain> sequence_chains(const RuleSet& rules, const PoseGrid& grid, s
     const Part& part = rules.parts[static_cast<std::size_t>(grid.part())];
     const Following following{rules, grid, part, step, tolerance, equivalent_gauges(part, step, tolerance)};
     const auto gauges = static_cast<int>(part.symmetry.elements.size());
-    States states(part.symmetry.elements.size(), sources.size());
+    std::size_t different = 0;
+    for (int gauge = 0; gauge < gauges; ++gauge) different += following.lowest_gauge[static_cast<std::size_t>(gauge)] == gauge;
+    States states(rules.items.size(), part.symmetry.elements.size(), different * sources.size());
     // Follow the step from every source in every gauge that is not equivalent to another.
     for (const int source : sources) {
         if (!item_at(rules, source).alive) continue;

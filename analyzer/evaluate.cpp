@@ -200,6 +200,13 @@ int known_rule(const SearchState& state, const Hypothesis& hypothesis, const Sim
     return -1;
 }
 
+/// Do the steps differ by so little that they find the same?
+bool much_the_same(const SearchState& state, const Similarity& a, const Similarity& b) {
+    constexpr double little = 0.01;  // of the tolerance
+    return abs(a.translation - b.translation) <= little * state.tolerance.size &&
+           abs(a.linear - b.linear) <= little * state.tolerance.angle;
+}
+
 bool closes_the_scene(const SearchState& state, const Hypothesis& hypothesis, const Evaluation& evaluation) {
     const std::size_t living = state.alive(hypothesis.from).size();
     return hypothesis.kind == RuleKind::sequence && state.part(hypothesis.from).rule >= 0 && living <= closing_groups &&
@@ -233,13 +240,18 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
         Similarity refined = mean_step(evaluation.chains);
         if (hypothesis.directed && hypothesis.kind == RuleKind::group) refined.translation = {0, abs(refined.translation)};
         double again_ambiguity = 1;
-        std::vector<Chain> again = chains_of(state, grids, hypothesis, refined, again_ambiguity);
+        std::vector<Chain> again;
+        if (much_the_same(state, evaluation.step, refined)) {
+            evaluation.step = refined;
+        } else {
+            again = chains_of(state, grids, hypothesis, refined, again_ambiguity);
+        }
         const auto links = [](const std::vector<Chain>& chains) {
             std::ptrdiff_t count = 0;
             for (const Chain& chain : chains) count += static_cast<std::ptrdiff_t>(chain.items.size()) - 1;
             return count;
         };
-        if (links(again) >= links(evaluation.chains)) {
+        if (!again.empty() && links(again) >= links(evaluation.chains)) {
             evaluation.chains = std::move(again);
             evaluation.step = refined;
             evaluation.ambiguity = again_ambiguity;

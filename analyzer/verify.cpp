@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "analyzer/match_drawn.h"
 #include "analyzer/overlaps.h"
@@ -39,7 +40,7 @@ void check_order(const Overlaps& overlaps, const std::vector<DrawnMatch>& matche
         const int upper = matches[static_cast<std::size_t>(pair.upper)].drawn;
         return lower >= 0 && upper >= 0 && lower > upper;
     };
-    result.wrong_faint = static_cast<int>(std::ranges::count_if(overlaps.faint, wrong));
+    std::ranges::copy_if(overlaps.faint, std::back_inserter(result.exchanged_faint), wrong);
     for (const OverlapPair& pair : overlaps.pairs) {
         if (!wrong(pair)) continue;
         ++result.wrong_order;

@@ -23,7 +23,7 @@ struct Verification {
     int displaced = 0;    ///< drawn, but further off than the tolerance (up to four times as far; beyond, it is unmatched)
     int wrong_style = 0;  ///< drawn in the right place in another style
     int wrong_order = 0;  ///< overlapping pairs, painted differently, in the wrong order (overlaps.h)
-    int wrong_faint = 0;  ///< pairs whose order hardly shows, in the wrong order: no fault
+    std::vector<OverlapPair> exchanged_faint;  ///< pairs whose order hardly shows, in the wrong order: no fault
     double max_deviation = 0;  ///< of outlines, share of the diagonal, over matched elements
     double rms_deviation = 0;
     std::vector<int>

@@ -1,0 +1,64 @@
+#include "analyzer/prepare_drawing.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "analyzer/shape_looks.h"
+#include "geometry/parallel.h"
+#include "scene/input_error.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr std::size_t most_elements = 5'000'000;
+constexpr double outline_share = 1e-4;  // of the diagonal: copies may differ from their terminal by this
+
+/// Tried in turn unless the user names one, in element sizes (docs/analysis.md, 9).
+constexpr double tolerance_ladder[] = {0.01, 0.003, 0.03};
+
+std::vector<double> tolerances(const AnalyzeOptions& options, std::size_t elements) {
+    if (options.tolerance > 0) return {options.tolerance};
+    // Large drawings are made by machines: the loosest tolerance is left out there.
+    constexpr std::size_t large = 3000;
+    return {std::begin(tolerance_ladder), std::end(tolerance_ladder) - (elements > large ? 1 : 0)};
+}
+
+}  // namespace
+
+PreparedDrawing prepare_drawing(const Scene& scene, const AnalyzeOptions& options, const Progress& progress) {
+    if (scene.elements.size() > most_elements) {
+        throw LimitError({}, "the drawing has " + std::to_string(scene.elements.size()) + " elements; at most " +
+                                 std::to_string(most_elements) + " can be analysed: split the drawing");
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    report(progress, "similarity", 0);
+    PreparedDrawing prepared;
+    prepared.scene = &scene;
+    prepared.diagonal = drawing_diagonal(scene);
+    // Which elements are copies of which.
+    SimilarityOptions similarity = options.similarity;
+    similarity.tolerance_of_diagonal = std::min(similarity.tolerance_of_diagonal, outline_share);
+    similarity.threads = options.threads;
+    prepared.readings.push_back({group_similar_elements(scene, similarity, progress)});
+    if (auto by_shape = merged_by_shape(prepared.readings.front().instancing, prepared.diagonal))
+        prepared.readings.push_back({std::move(*by_shape)});
+    // Which of them lie on which.
+    OverlapOptions visible_only;
+    visible_only.antialiasing = false;
+    visible_only.threads = options.threads;
+    prepared.overlaps = find_overlaps(scene, visible_only);
+    // Items and what they cost, at each tolerance.
+    const std::vector<double> tried = tolerances(options, scene.elements.size());
+    for (PreparedReading& reading : prepared.readings) reading.starts.resize(tried.size());
+    for_each_index(prepared.readings.size() * tried.size(), options.threads, [&](std::size_t k) {
+        PreparedReading& reading = prepared.readings[k / tried.size()];
+        const double size = tried[k % tried.size()];
+        const PoseTolerance tolerance{size, size, PoseTolerance{}.per_distance};
+        reading.starts[k % tried.size()] = starting_state(reading.instancing, tolerance, prepared.diagonal);
+    });
+    prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return prepared;
+}
+
+}  // namespace rinceau
