@@ -65,6 +65,7 @@ Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<S
         const Child& stands = rule.members.empty() ? rule.leaves.front() : rule.members.front();
         return part.node * stands.pose * anchors[static_cast<std::size_t>(stands.part)];
     }
+    if (kind == RuleKind::spiral) return first.pose * inverse(spiral_pose(rule.spiral, spiral_index(rule.spiral, 0)));
     Similarity member = anchors[static_cast<std::size_t>(first.part)];
     if (kind == RuleKind::linear) member.translation = {};  // alpha and beta are linear about the member's own origin
     const Similarity head = first.pose * member;

@@ -1,6 +1,7 @@
 #include "analyzer/openings.h"
 
 #include "analyzer/branch_opening.h"
+#include "analyzer/open_with_spirals.h"
 #include "analyzer/scene_rotation.h"
 #include "analyzer/sector_rules.h"
 
@@ -16,6 +17,10 @@ std::optional<SearchState> open_with_rotation(const SearchState& start, const Se
     return open_with_sectors(start, *rotation, options, progress);
 }
 
+std::optional<SearchState> open_with_spiral(const SearchState& start, const SearchOptions&, const Progress&) {
+    return open_with_spirals(start);
+}
+
 }  // namespace
 
 const std::vector<Opening>& openings() {
@@ -27,6 +32,7 @@ const std::vector<Opening>& openings() {
         {"branching", 1, [](const SearchState& start, const SearchOptions&, const Progress&) { return open_with_branching(start); }},
         {"self-similarity", 1,
          [](const SearchState& start, const SearchOptions&, const Progress&) { return open_with_self_similarity(start); }},
+        {"spirals", 1, open_with_spiral},
     };
     return all;
 }

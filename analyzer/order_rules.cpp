@@ -135,6 +135,11 @@ std::vector<int> voted_order(int count, const std::map<std::pair<int, int>, doub
 void reverse_rule(RuleSet& rules, int rule_index) {
     Rule& rule = rules.rules[static_cast<std::size_t>(rule_index)];
     rule.step = inverse(rule.step);
+    if (rule.kind == RuleKind::spiral) {
+        const auto part = std::ranges::find(rules.parts, rule_index, &Part::rule);
+        rule.spiral.start = spiral_index(rule.spiral, part->count - 1);
+        rule.spiral.direction = -rule.spiral.direction;
+    }
     const bool ring = rule.kind == RuleKind::ring;
     const auto reverse = [&](auto& list) { std::reverse(list.begin() + (ring ? 1 : 0), list.end()); };
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {
@@ -189,7 +194,7 @@ OrderedRules ordered_for_painting(RuleSet rules, const Overlaps& overlaps) {
     for (const auto& [part, part_votes] : votes.by_part) {
         const int rule = rules.parts[static_cast<std::size_t>(part)].rule;
         const RuleKind kind = rules.rules[static_cast<std::size_t>(rule)].kind;
-        if (kind == RuleKind::sequence || kind == RuleKind::ring) {
+        if (kind == RuleKind::sequence || kind == RuleKind::ring || kind == RuleKind::spiral) {
             forward[rule] += balance(part_votes);
         } else if (kind == RuleKind::group) {
             std::vector<int> key(rules.parts[static_cast<std::size_t>(part)].children.size());

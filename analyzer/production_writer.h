@@ -74,6 +74,9 @@ WrittenRule write_branch(const WritingContext& context, int part);
 /// part stands at `pose` in the scene.
 std::vector<Exception> write_exceptions(const WritingContext& context, int root, int number, const Similarity& pose);
 
+/// P(m) : m > 0 -> P(m-1) [+(a*m) f(c*m^p) *(s) A], about the pivot; P(m-1) stands last if the first member is the outermost
+WrittenRule write_spiral(const WritingContext& context, int part);
+
 /// The productions of a part's rule, by its kind.
 WrittenRule write_rule(const WritingContext& context, int part);
 

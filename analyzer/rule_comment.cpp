@@ -16,6 +16,8 @@ std::string kind_name(RuleKind kind) {
             return "ring";
         case RuleKind::linear:
             return "linear";
+        case RuleKind::spiral:
+            return "spiral";
         case RuleKind::group:
             return "group";
         case RuleKind::branch:
@@ -214,6 +216,8 @@ std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<
             return "Ring";
         case RuleKind::linear:
             return "Curve";
+        case RuleKind::spiral:
+            return "Spiral";
         case RuleKind::group:
             return part.children.size() == 2 ? "Pair" : "Motif";
         case RuleKind::branch:
@@ -233,6 +237,10 @@ std::string rule_comment(const RuleSet& rules, const Part& part, const std::vect
     const std::string& what = names[static_cast<std::size_t>(rule.repeated)];
     if (rule.kind == RuleKind::ring) return ring_comment(rules, part, what, use);
     if (rule.kind == RuleKind::linear) return "a curve of " + count_text(use) + " " + what + ", turning more and more";
+    if (rule.kind == RuleKind::spiral) {
+        return "a spiral of " + count_text(use) + " " + what + ", each " +
+               short_number(std::abs(degrees(rule.spiral.angle))) + " degrees on from the one before";
+    }
     const Figure figure = figure_of(rules, part, uses);
     const bool two = figure == Figure::pair || figure == Figure::mirror_pair;
     return words_of(figure).phrase + (two ? "" : count_text(use) + " ") + what + sequence_numbers(rules, part, use, figure);

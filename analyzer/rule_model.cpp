@@ -16,6 +16,13 @@ Similarity linear_step(const Rule& rule, int k) {
 
 std::vector<Similarity> repetition_poses(const Rule& rule, int count) {
     std::vector<Similarity> poses(static_cast<std::size_t>(count));
+    if (rule.kind == RuleKind::spiral) {
+        const Similarity to_first = inverse(spiral_pose(rule.spiral, spiral_index(rule.spiral, 0)));
+        for (int k = 1; k < count; ++k) {
+            poses[static_cast<std::size_t>(k)] = to_first * spiral_pose(rule.spiral, spiral_index(rule.spiral, k));
+        }
+        return poses;
+    }
     for (int k = 1; k < count; ++k) {
         const auto at = static_cast<std::size_t>(k);
         poses[at] = poses[at - 1] * linear_step(rule, k - 1);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analyzer/instancing.h"
+#include "analyzer/spiral_law.h"
 #include "geometry/similarity.h"
 
 namespace rinceau {
@@ -17,7 +18,8 @@ enum class RuleKind : std::uint8_t {
     ring,      ///< a sequence that closes
     linear,    ///< r1 with t(m) = t0 + tDelta m in alpha and beta (eq. 4)
     group,     ///< several parts in fixed positions (r1 and r2 for P(1), merged: section 5.7)
-    branch     ///< r3 and r4: R(m) -> members [T1 R(m-1)] .. [Tk R(m-1)], R(0) -> leaves
+    branch,    ///< r3 and r4: R(m) -> members [T1 R(m-1)] .. [Tk R(m-1)], R(0) -> leaves
+    spiral     ///< members about a pivot, at distances that are powers of an index
 };
 
 /// A member of a part, in the part's frame.
@@ -37,6 +39,7 @@ struct Rule {
                                  ///< of itself)
     std::vector<Similarity> steps;  ///< branch: from a node to each of those that grow from it, at least one
     std::vector<Child> leaves;      ///< branch: what stands at depth 0, in the node's frame, possibly nothing
+    SpiralLaw spiral;               ///< spiral
 };
 
 struct Part {
