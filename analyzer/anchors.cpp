@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "analyzer/natural_pose.h"
 
@@ -36,24 +37,31 @@ std::vector<Complex> commonest_poses(const Instancing& instancing) {
     return commonest;
 }
 
-/// A tree's nodes have as many sizes and angles as levels and branches: its largest node is the one to measure by.
+/// A tree's nodes have as many sizes and angles as levels and branches: its largest node is the one to measure by, for all
+/// looks that stand there at any depth.
 void take_roots_of_trees(const RuleSet& rules, std::vector<Complex>& poses) {
-    std::vector<double> largest(poses.size(), 0);
+    std::map<std::pair<int, std::size_t>, Complex> largest;  // by rule and member
+    std::map<int, std::set<std::pair<int, std::size_t>>> places_of_look;
     for (const Item& item : rules.items) {
-        const Part& part = rules.parts[static_cast<std::size_t>(item.part)];
-        if (part.rule < 0 || part.children.empty()) continue;
-        const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];
-        if (rule.kind != RuleKind::branch) continue;
-        for (std::size_t k = 0; k < rule.members.size() && k < item.members.size(); ++k) {
+        const int index = rules.parts[static_cast<std::size_t>(item.part)].rule;
+        if (index < 0 || rules.rules[static_cast<std::size_t>(index)].kind != RuleKind::branch) continue;
+        const std::size_t members = rules.rules[static_cast<std::size_t>(index)].members.size();
+        for (std::size_t k = 0; k < members && k < item.members.size(); ++k) {
             if (item.members[k] < 0) continue;
             const Item& member = rules.items[static_cast<std::size_t>(item.members[k])];
             const int look = rules.parts[static_cast<std::size_t>(member.part)].look;
             if (look < 0 || member.pose.mirrored) continue;
-            const auto at = static_cast<std::size_t>(look);
-            if (scale_of(member.pose) <= largest[at]) continue;
-            largest[at] = scale_of(member.pose);
-            poses[at] = member.pose.linear;
+            places_of_look[look].insert({index, k});
+            Complex& most = largest.try_emplace({index, k}, Complex{0, 0}).first->second;
+            if (norm(member.pose.linear) > norm(most)) most = member.pose.linear;
         }
+    }
+    for (const auto& [look, places] : places_of_look) {
+        Complex most{0, 0};
+        for (const auto& place : places) {
+            if (norm(largest[place]) > norm(most)) most = largest[place];
+        }
+        poses[static_cast<std::size_t>(look)] = most;
     }
 }
 

@@ -1,6 +1,7 @@
 #include "analyzer/branch_items.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -23,10 +24,12 @@ class TreeBuilder {
     /// The item of the subtree above a node.
     int item_of(const BranchTree& tree, std::size_t node, int depth) {
         const BranchNode& at = tree.nodes[node];
-        std::vector<int> members;
-        for (std::size_t k = 0; k < at.items.size(); ++k) {
-            members.push_back(placed(at.items[k], at.frame * rule_.members[k].pose));
-        }
+        std::vector<int> members, parts;
+        const auto add = [&](int item, const Child& stands, const Similarity& frame) {
+            members.push_back(placed(item, frame * stands.pose));
+            parts.push_back(item >= 0 ? state_.item(item).part : stands.part);
+        };
+        for (std::size_t k = 0; k < at.items.size(); ++k) add(at.items[k], rule_.members[k], at.frame);
         const std::size_t branches = rule_.steps.size();
         for (std::size_t k = 0; k < branches; ++k) {
             const std::size_t child = branches * node + 1 + k;
@@ -34,12 +37,10 @@ class TreeBuilder {
                 members.push_back(item_of(tree, child, depth - 1));
                 continue;
             }
-            for (std::size_t l = 0; l < rule_.leaves.size(); ++l) {
-                const BranchNode& end = tree.nodes[child];
-                members.push_back(placed(end.items[l], end.frame * rule_.leaves[l].pose));
-            }
+            const BranchNode& end = tree.nodes[child];
+            for (std::size_t l = 0; l < rule_.leaves.size(); ++l) add(end.items[l], rule_.leaves[l], end.frame);
         }
-        return new_item(depth, at.frame, std::move(members));
+        return new_item(part_of(depth, parts), at.frame, std::move(members));
     }
 
     const std::set<int>& touched() const { return touched_; }
@@ -54,24 +55,27 @@ class TreeBuilder {
     Item& item_at(int item) { return state_.rules.items[static_cast<std::size_t>(item)]; }
 
     int placed(int item, const Similarity& frame) {
+        if (item < 0) return item;
         const Part& part = state_.part(state_.item(item).part);
         regauge(state_.rules, item, nearest_pose(part, state_.item(item).pose, frame));
         return item;
     }
 
-    int part_of(int depth) {
+    /// `parts`: what stands at the node and, if it is of depth 1, above it. The first tree says what belongs to a depth.
+    int part_of(int depth, const std::vector<int>& parts) {
         const auto known = part_of_depth_.find(depth);
         if (known != part_of_depth_.end()) return known->second;
         Part part;
         part.rule = rule_index_;
         part.count = depth;
-        part.children = rule_.members;
+        std::size_t next = 0;
+        for (const Child& member : rule_.members) part.children.push_back({parts[next++], member.pose});
         for (const Similarity& step : rule_.steps) {
             if (depth > 1) {
-                const int above = part_of(depth - 1);
+                const int above = part_of_depth_.at(depth - 1);
                 part.children.push_back({above, step * inverse(state_.part(above).node)});
             } else {
-                for (const Child& leaf : rule_.leaves) part.children.push_back({leaf.part, step * leaf.pose});
+                for (const Child& leaf : rule_.leaves) part.children.push_back({parts[next++], step * leaf.pose});
             }
         }
         centre(part);
@@ -94,12 +98,13 @@ class TreeBuilder {
         for (Child& child : part.children) child.pose = part.node * child.pose;
     }
 
-    int new_item(int depth, const Similarity& frame, std::vector<int> members) {
+    int new_item(int part, const Similarity& frame, std::vector<int> members) {
         Item item;
-        item.part = part_of(depth);
+        item.part = part;
         item.pose = frame * inverse(state_.part(item.part).node);
-        item.first = state_.item(members.front()).first;
+        item.first = std::numeric_limits<int>::max();
         for (const int member : members) {
+            if (member < 0) continue;
             item.first = std::min(item.first, state_.item(member).first);
             item_at(member).alive = false;
             touched_.insert(state_.item(member).part);

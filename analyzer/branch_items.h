@@ -7,7 +7,8 @@
 
 namespace rinceau {
 
-/// A node: where it stands, and the items of the rule's members there, in their order (at depth 0: of its leaves).
+/// A node: where it stands, and the items of the rule's members there, in their order (at depth 0: of its leaves); -1 =
+/// missing. Their parts may differ from depth to depth: a part (rule, depth) has what the first tree has there.
 struct BranchNode {
     Similarity frame;
     std::vector<int> items;

@@ -1,20 +1,24 @@
 #include "analyzer/branch_opening.h"
 
+#include <algorithm>
+#include <map>
+
 #include "analyzer/branch_items.h"
 #include "analyzer/find_branching.h"
 #include "analyzer/fit_branch.h"
 #include "analyzer/self_similarity.h"
+#include "analyzer/tree_extras.h"
 
 namespace rinceau {
 
 namespace {
 
-std::vector<BranchTree> trees_of_single_items(const Branching& branching) {
+std::vector<BranchTree> trees_of_single_items(const Branching& branching, const std::vector<int>& original) {
     std::vector<BranchTree> trees;
     for (const GrownTree& grown : branching.trees) {
         BranchTree tree{grown.levels, {}};
         for (std::size_t node = 0; node < grown.items.size(); ++node) {
-            tree.nodes.push_back({grown.frames[node], {grown.items[node]}});
+            tree.nodes.push_back({grown.frames[node], {original[static_cast<std::size_t>(grown.items[node])]}});
         }
         trees.push_back(std::move(tree));
     }
@@ -35,24 +39,95 @@ SearchState with_trees(const SearchState& state, Rule rule, std::vector<BranchTr
     return with_branch_items(state, rule, trees);
 }
 
+/// Parts of looks, those of one outline together, and then all others.
+std::vector<std::vector<int>> parts_by_shape(const SearchState& state) {
+    std::map<int, std::vector<int>> by_shape;
+    std::vector<std::vector<int>> groups;
+    for (std::size_t p = 0; p < state.rules.parts.size(); ++p) {
+        const Part& part = state.rules.parts[p];
+        if (state.members[p].empty()) continue;
+        if (part.shape < 0) {
+            groups.push_back({static_cast<int>(p)});
+        } else {
+            by_shape[part.shape].push_back(static_cast<int>(p));
+        }
+    }
+    for (auto& [shape, parts] : by_shape) groups.push_back(std::move(parts));
+    std::ranges::sort(groups);
+    return groups;
+}
+
+/// A state with nothing but the items of these parts, as if they were of one part.
+struct Excerpt {
+    SearchState state;
+    std::vector<int> original;  ///< number of each item in the whole state
+};
+
+Excerpt excerpt_of(const SearchState& state, const std::vector<int>& parts) {
+    Excerpt excerpt;
+    for (const int part : parts) {
+        const std::vector<int>& members = state.alive(part);
+        excerpt.original.insert(excerpt.original.end(), members.begin(), members.end());
+    }
+    std::ranges::sort(excerpt.original);
+    excerpt.state.tolerance = state.tolerance;
+    excerpt.state.diagonal = state.diagonal;
+    excerpt.state.neighbour_distance = state.neighbour_distance;
+    excerpt.state.rules.parts = {state.part(parts.front())};
+    excerpt.state.members.resize(1);
+    for (const int item : excerpt.original) {
+        excerpt.state.members[0].push_back(static_cast<int>(excerpt.state.rules.items.size()));
+        excerpt.state.rules.items.push_back(state.item(item));
+        excerpt.state.rules.items.back().part = 0;
+    }
+    refresh(excerpt.state, {0});
+    return excerpt;
+}
+
+/// Does each level of the trees consist of one part?
+bool even_levels(const SearchState& state, const std::vector<BranchTree>& trees, std::size_t branches) {
+    std::map<int, int> part_of_depth;
+    for (const BranchTree& tree : trees) {
+        std::size_t node = 0;
+        for (int depth = tree.depth; depth > 0; --depth) {
+            for (const std::size_t end = nodes_of_tree(branches, tree.depth - depth + 1); node < end; ++node) {
+                const int part = state.item(tree.nodes[node].items.front()).part;
+                if (part_of_depth.try_emplace(depth, part).first->second != part) return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Trees of the items of these parts become items in `opened`, which begins as `start`.
+bool grow_trees(const SearchState& start, const std::vector<int>& parts, std::optional<SearchState>& opened) {
+    const SearchState& state = opened ? *opened : start;
+    std::size_t items = 0;
+    for (const int part : parts) items += state.alive(part).size();
+    if (items < fewest_items_of_tree) return false;
+    Excerpt excerpt = excerpt_of(state, parts);
+    const auto branching = find_branching(excerpt.state, 0);
+    if (!branching) return false;
+    TreesOfRule found{{}, trees_of_single_items(*branching, excerpt.original)};
+    if (parts.size() > 1 && !even_levels(state, found.trees, branching->steps.size())) return false;
+    found.rule.kind = RuleKind::branch;
+    found.rule.members = {{state.item(found.trees.front().nodes.front().items.front()).part, {}}};
+    found.rule.steps = branching->steps;
+    found = with_extras(state, std::move(found));
+    opened = with_trees(state, std::move(found.rule), std::move(found.trees));
+    return true;
+}
+
 }  // namespace
 
 std::optional<SearchState> open_with_branching(const SearchState& start) {
-    SearchState state = start;
-    bool found = false;
-    const auto parts = static_cast<int>(start.rules.parts.size());
-    for (int part = 0; part < parts; ++part) {
-        const auto branching = find_branching(state, part);
-        if (!branching) continue;
-        Rule rule;
-        rule.kind = RuleKind::branch;
-        rule.members = {{part, {}}};
-        rule.steps = branching->steps;
-        state = with_trees(state, rule, trees_of_single_items(*branching));
-        found = true;
+    std::optional<SearchState> opened;
+    for (const std::vector<int>& parts : parts_by_shape(start)) {
+        bool found = false;
+        if (parts.size() > 1) found = grow_trees(start, parts, opened);
+        for (const int part : parts) found = found || grow_trees(start, {part}, opened);
     }
-    if (!found) return std::nullopt;
-    return state;
+    return opened;
 }
 
 std::optional<SearchState> open_with_self_similarity(const SearchState& start) {

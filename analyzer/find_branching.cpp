@@ -14,7 +14,6 @@ namespace rinceau {
 
 namespace {
 
-constexpr std::size_t fewest_items = 7;      // two branches, three levels
 constexpr std::size_t seeds_tried = 16;      // half of them the largest items, where trees begin
 constexpr std::size_t neighbours_asked = 12;  // in each half octave of size
 constexpr std::size_t samples_asked = 64;
@@ -308,7 +307,7 @@ class Finder {
 /// Trees need children that are turned or smaller: items of one size and angle form none.
 bool may_branch(const SearchState& state, int part) {
     const std::vector<int>& items = state.alive(part);
-    if (items.size() < fewest_items || state.part(part).symmetry.continuous) return false;
+    if (items.size() < fewest_items_of_tree || state.part(part).symmetry.continuous) return false;
     const PartCost& cost = state.cost(part);
     return cost.scale_bits > 0 || cost.angle_bits > 0;
 }

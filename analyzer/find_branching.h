@@ -15,6 +15,9 @@ struct Branching {
     double saved_bits = 0;
 };
 
+/// Two branches, three levels.
+constexpr std::size_t fewest_items_of_tree = 7;
+
 /// The branching of this part's items that saves most, if one saves more than it costs and is no chance. The items' state is
 /// as it was when this returns.
 std::optional<Branching> find_branching(SearchState& state, int part);

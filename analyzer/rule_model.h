@@ -44,6 +44,7 @@ struct Rule {
 
 struct Part {
     int look = -1;                ///< a look of the drawing, or
+    int shape = -1;               ///< of a look: equal for looks of equal outline, whose items have comparable poses
     int rule = -1;                ///< a rule with this
     int count = 1;                ///< number of repetitions (group: 1, branch: depth, at least 1)
     std::vector<Child> children;  ///< in order of derivation; origin = mean of their origins, first child unturned, unscaled

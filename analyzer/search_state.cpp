@@ -178,6 +178,7 @@ SearchState starting_state(const Instancing& instancing, const PoseTolerance& to
     for (std::size_t look = 0; look < instancing.looks.size(); ++look) {
         Part part;
         part.look = static_cast<int>(look);
+        part.shape = instancing.looks[look].shape;
         part.symmetry = instancing.looks[look].symmetry;
         state.rules.parts.push_back(part);
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "analyzer/production_writer.h"
 
@@ -17,6 +18,25 @@ MoveSlack step_slack(const WritingContext& context, int p, const Similarity& ste
                       context.extent(p), finer * levels);
 }
 
+/// What stands as the rule's member k at each depth.
+std::map<int, int> parts_by_depth(const WritingContext& context, int rule, std::size_t k) {
+    std::map<int, int> parts;
+    for (const Part& part : context.rules.parts) {
+        if (part.rule == rule && k < part.children.size()) parts[part.count] = part.children[k].part;
+    }
+    return parts;
+}
+
+bool same_at_all_depths(const WritingContext& context, int rule, std::size_t k) {
+    const std::map<int, int> parts = parts_by_depth(context, rule, k);
+    return std::ranges::all_of(parts, [&](const auto& at) { return at.second == parts.begin()->second; });
+}
+
+std::vector<ModuleTemplate> joined(std::vector<ModuleTemplate> first, const std::vector<ModuleTemplate>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 }  // namespace
 
 WrittenRule write_branch(const WritingContext& context, int p) {
@@ -29,23 +49,45 @@ WrittenRule write_branch(const WritingContext& context, int p) {
                       brackets);
     };
     Production grow = counted_production(context, p);
-    for (const Child& member : rule.members) append(grow.successor, member, true);
+    std::vector<Production> by_depth;
+    for (std::size_t k = 0; k < rule.members.size(); ++k) {
+        if (same_at_all_depths(context, part.rule, k)) {
+            append(grow.successor, rule.members[k], true);
+            continue;
+        }
+        const std::string name = context.symbol(p) + "_node" + (k > 0 ? std::to_string(k + 1) : "");
+        grow.successor = joined(std::move(grow.successor), bracketed({command(name, std::string("m"))}));
+        for (const auto& [depth, at] : parts_by_depth(context, part.rule, k)) {
+            Production node;
+            node.symbol = name;
+            node.parameters = {"m"};
+            node.condition = parse_expression("m == " + std::to_string(depth));
+            append(node.successor, {at, rule.members[k].pose}, false);
+            by_depth.push_back(std::move(node));
+        }
+    }
     for (const Similarity& step : rule.steps) {
         std::vector<ModuleTemplate> branch;
         const Similarity move = inverse(turtle) * step * turtle;
         append_move(branch, move, step_slack(context, p, move));
         branch.push_back(command(context.symbol(p), std::string("m-1")));
-        branch = bracketed(std::move(branch));
-        grow.successor.insert(grow.successor.end(), branch.begin(), branch.end());
+        grow.successor = joined(std::move(grow.successor), bracketed(std::move(branch)));
     }
     WrittenRule written{{std::move(grow)}, {}};
-    if (rule.leaves.empty()) return written;
+    const auto add_nodes = [&] {
+        for (Production& node : by_depth) written.productions.push_back(std::move(node));
+    };
+    if (rule.leaves.empty()) {
+        add_nodes();
+        return written;
+    }
     Production end;
     end.symbol = context.symbol(p);
     end.parameters = {"m"};
     end.condition = parse_expression("m == 0");
     for (const Child& leaf : rule.leaves) append(end.successor, leaf, rule.leaves.size() > 1);
     written.productions.push_back(std::move(end));
+    add_nodes();
     return written;
 }
 
