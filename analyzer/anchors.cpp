@@ -65,6 +65,23 @@ void take_roots_of_trees(const RuleSet& rules, std::vector<Complex>& poses) {
     }
 }
 
+/// What stands at a tree's nodes and ends beside the first member is drawn as it lies there, in the size that it would have
+/// at a node of scale 1: no turns and scales in the rule.
+void align_with_nodes(const RuleSet& rules, std::vector<Similarity>& anchors) {
+    for (const Rule& rule : rules.rules) {
+        if (rule.kind != RuleKind::branch || rule.members.empty()) continue;
+        const Child& first = rule.members.front();
+        const Similarity turtle = first.pose * anchors[static_cast<std::size_t>(first.part)];
+        const auto align = [&](const Child& child) {
+            const bool look = rules.parts[static_cast<std::size_t>(child.part)].look >= 0;
+            if (!look || child.part == first.part || child.pose.mirrored) return;
+            anchors[static_cast<std::size_t>(child.part)].linear = (inverse(child.pose) * turtle).linear;
+        };
+        for (const Child& member : rule.members) align(member);
+        for (const Child& leaf : rule.leaves) align(leaf);
+    }
+}
+
 Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<Similarity>& anchors) {
     const Child& first = part.children.front();
     const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];
@@ -186,6 +203,15 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
         } else {
             anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
         }
+    for (std::size_t p = 0; p < rules.parts.size(); ++p) {
+        if (rules.parts[p].look < 0) continue;
+        const Complex pose = commonest[static_cast<std::size_t>(rules.parts[p].look)];
+        anchors.of_part[p].linear = Complex{1, 0} / polar(abs(pose), natural_angle(arg(pose)));
+    }
+    align_with_nodes(rules, anchors.of_part);
+    for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
+        const Part& part = rules.parts[p];
+        if (part.look < 0) anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
         const double reach = abs(anchors.of_part[p].translation);
         anchors.extent[p] = (part.radius + reach) / scale_of(anchors.of_part[p]);
     }

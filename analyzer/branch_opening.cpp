@@ -118,6 +118,35 @@ bool grow_trees(const SearchState& start, const std::vector<int>& parts, std::op
     return true;
 }
 
+/// Items that stand for several copies in one place (see starting_state), by the part of the copies.
+std::map<int, std::vector<int>> stacks_by_part(const SearchState& start) {
+    std::map<int, std::vector<int>> stacks;
+    for (std::size_t p = 0; p < start.rules.parts.size(); ++p) {
+        if (start.rules.parts[p].rule < 0) continue;
+        for (const int item : start.members[p]) stacks[start.item(start.item(item).members.front()).part].push_back(item);
+    }
+    return stacks;
+}
+
+/// Curves that touch themselves draw some pieces twice: here each copy is an item.
+SearchState without_stacks(SearchState state, int part, const std::vector<int>& stacks) {
+    std::vector<int> touched{part};
+    for (const int stack : stacks) {
+        Item& item = state.rules.items[static_cast<std::size_t>(stack)];
+        item.alive = false;
+        touched.push_back(item.part);
+        for (const int copy : item.members) {
+            state.rules.items[static_cast<std::size_t>(copy)].alive = true;
+            state.members[static_cast<std::size_t>(part)].push_back(copy);
+        }
+    }
+    std::ranges::sort(state.members[static_cast<std::size_t>(part)]);
+    std::ranges::sort(touched);
+    touched.erase(std::ranges::unique(touched).begin(), touched.end());
+    refresh(state, touched);
+    return state;
+}
+
 }  // namespace
 
 std::optional<SearchState> open_with_branching(const SearchState& start) {
@@ -132,9 +161,13 @@ std::optional<SearchState> open_with_branching(const SearchState& start) {
 
 std::optional<SearchState> open_with_self_similarity(const SearchState& start) {
     std::optional<SearchState> opened;
+    const std::map<int, std::vector<int>> stacks = stacks_by_part(start);
     const auto parts = static_cast<int>(start.rules.parts.size());
     for (int part = 0; part < parts; ++part) {
-        const SearchState& state = opened ? *opened : start;
+        const auto stacked = stacks.find(part);
+        std::optional<SearchState> apart;
+        if (stacked != stacks.end()) apart = without_stacks(opened ? *opened : start, part, stacked->second);
+        const SearchState& state = apart ? *apart : opened ? *opened : start;
         const auto found = find_self_similarity(state, part);
         if (found) opened = with_trees(state, found->rule, found->trees);
     }

@@ -114,6 +114,45 @@ TEST_CASE("a symmetric tree of strokes is one rule") {
     CHECK(found.report.check.passed);
 }
 
+TEST_CASE("a tree with other elements at its ends is one rule with an end") {
+    const Grammar tree = known_grammar("axiom: R(6)\n" + figure_1 + "\nR(m) : m == 0 -> B",
+                                       {{"A", sized_hook(40)}, {"B", placed(element(leaf(), filled({40, 160, 60})), scale_by(30))}});
+    const Analysis found = analyze(drawn(tree, 6));
+    INFO(to_text(found.grammar));
+    CHECK(rules_in_words(found.report) == "branching of 6; branching of 6");  // and its end
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.report.check.passed);
+}
+
+TEST_CASE("a tree of groups is one rule") {
+    const Grammar tree = known_grammar(
+        "axiom: R(5)\nR(m) : m > 0 -> [A] [f(90) B] [f(30) +(50) f(40) C] [-(17) f(64) *(0.8) -(3) R(m-1)] [+(7) f(181) *(0.6) +(23) R(m-1)]",
+        {{"A", sized_hook(40)}, {"B", element(regular_polygon(5, 12), filled({200, 40, 40}))}, {"C", element(star(4), filled({20, 20, 200}))}});
+    const Analysis found = analyze(drawn(tree, 7));
+    INFO(to_text(found.grammar));
+    CHECK(rules_in_words(found.report) == "branching of 5");
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.report.check.passed);
+}
+
+TEST_CASE("a tree may change its colour and its pen from level to level") {
+    Grammar tree = known_grammar("axiom: R(5)\nR(m) : m > 0 -> [N(m)] [f(2) -(25) *(0.75) R(m-1)] [f(2) +(30) *(0.7) R(m-1)]\n"
+                                 "N(m) : m == 5 -> A\nN(m) : m == 4 -> B\nN(m) : m == 3 -> C\nN(m) : m == 2 -> D\nN(m) : m == 1 -> E",
+                                 {});
+    for (int level = 0; level < 5; ++level) {
+        const Element twig = element({Path{{0, 0}, {line_to({0, 2})}}}, stroked({std::uint8_t(150 - 30 * level), std::uint8_t(60 + 30 * level), 20}, 0.2 - 0.03 * level));
+        tree.styles.push_back({.number = level + 1, .style = twig.style});
+        tree.terminals.push_back({.symbol = std::string(1, char('A' + level)), .style = level + 1, .paths = twig.paths});
+    }
+    const Analysis found = analyze(drawn(tree, 8));
+    INFO(to_text(found.grammar));
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.grammar.productions.size() == 6);
+    CHECK(found.report.productions.front().kind == "branching");
+    CHECK(found.report.productions.front().lengths == std::vector<int>{5});
+    CHECK(found.report.check.passed);
+}
+
 TEST_CASE("rows, grids, rings and spirals are no trees") {
     for (const KnownScene& known : known_scenes()) {
         const Analysis found = analyze(known.scene);

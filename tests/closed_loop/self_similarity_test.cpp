@@ -35,6 +35,7 @@ const std::vector<KnownCurve> known_curves{
     {"Gosper", "axiom: F(3)\nF(n) : n > 0 -> F(n-1) -(60) G(n-1) -(120) G(n-1) +(60) F(n-1) +(120) F(n-1) F(n-1) +(60) G(n-1) -(60)\n"
                "G(n) : n > 0 -> +(60) F(n-1) -(60) G(n-1) G(n-1) -(120) G(n-1) -(60) F(n-1) +(120) F(n-1) +(60) G(n-1)", 7, 3},
     {"arrowhead", "axiom: F(5)\nF(n) : n > 0 -> G(n-1) -(60) F(n-1) -(60) G(n-1)\nG(n) : n > 0 -> F(n-1) +(60) G(n-1) +(60) F(n-1)", 3, 5},
+    {"Levy", "axiom: F(8)\nF(n) : n > 0 -> +(45) F(n-1) -(90) F(n-1) +(45)", 2, 8},
     {"plant", "axiom: F(3)\nF(n) : n > 0 -> F(n-1) [+(25.7) F(n-1)] F(n-1) [-(25.7) F(n-1)] F(n-1)", 5, 3},
 };
 
