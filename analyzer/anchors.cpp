@@ -193,16 +193,6 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
     anchors.turnable = turnable_parts(rules, instancing);
     anchors.gauge_of_rule.resize(rules.rules.size());
     std::vector<bool> decided(rules.rules.size(), false);
-    for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
-        const Part& part = rules.parts[p];
-        if (part.look >= 0) {
-            const Complex pose = commonest[static_cast<std::size_t>(part.look)];
-            anchors.of_part[p].linear = Complex{1, 0} / polar(abs(pose), natural_angle(arg(pose)));
-        } else if (begins_with_a_look(rules, part, anchors.turnable)) {
-            anchors.of_part[p] = upright_anchor(rules, part, poses[p], anchors, decided);
-        } else {
-            anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
-        }
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {
         if (rules.parts[p].look < 0) continue;
         const Complex pose = commonest[static_cast<std::size_t>(rules.parts[p].look)];
@@ -211,7 +201,11 @@ Anchors find_anchors(const RuleSet& rules, const Instancing& instancing, const s
     align_with_nodes(rules, anchors.of_part);
     for (std::size_t p = 0; p < rules.parts.size(); ++p) {  // children come before their parents
         const Part& part = rules.parts[p];
-        if (part.look < 0) anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
+        if (part.look < 0 && begins_with_a_look(rules, part, anchors.turnable)) {
+            anchors.of_part[p] = upright_anchor(rules, part, poses[p], anchors, decided);
+        } else if (part.look < 0) {
+            anchors.of_part[p] = anchor_of(rules, part, anchors.of_part);
+        }
         const double reach = abs(anchors.of_part[p].translation);
         anchors.extent[p] = (part.radius + reach) / scale_of(anchors.of_part[p]);
     }
