@@ -5,8 +5,10 @@
 #include <chrono>
 #include <functional>
 #include <future>
+#include <iterator>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include "analyzer/colouring.h"
@@ -17,10 +19,12 @@
 #include "analyzer/openings.h"
 #include "analyzer/order_rules.h"
 #include "analyzer/paint_order.h"
+#include "analyzer/regular_drawing.h"
 #include "analyzer/report.h"
 #include "analyzer/residuals.h"
 #include "analyzer/same_picture.h"
 #include "analyzer/to_grammar.h"
+#include "analyzer/verify_layout.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
 #include "lsystem/to_scene.h"
@@ -131,6 +135,34 @@ struct Reading {
     }
 };
 
+/// Do exact rules leave so much that the drawing may be an irregular one?
+bool may_be_irregular(const std::vector<Description>& exact) {
+    // What they say in a quarter of the bits has its structure already.
+    constexpr double well_explained = 0.25;
+    return std::ranges::none_of(exact, [](const Description& d) { return d.bits.grammar < well_explained * d.bits.drawing; });
+}
+
+/// Do nearly all elements stand where the rules put them, or next to it?
+bool leaves_little_over(const Description& description) {
+    constexpr double little = 0.05;          // of an element's size
+    constexpr double most_exceptions = 0.2;  // of the elements
+    double off = 0;
+    for (std::size_t leaf = 0; leaf < description.deviation.size(); ++leaf) {
+        const auto element = static_cast<std::size_t>(description.written.element_of_leaf[leaf]);
+        off += description.deviation[leaf] > little * scale_of(description.reading->instancing.instances[element].pose);
+    }
+    return off <= most_exceptions * static_cast<double>(description.deviation.size());
+}
+
+/// Rules that leave little over are what is there; regular ones that leave more must say clearly less.
+bool says_clearly_less(const Description& regular, const std::vector<Description>& exact) {
+    constexpr double clearly = 0.9;
+    return std::ranges::none_of(exact, [&](const Description& rules) {
+        return !rules.exact.productions.empty() && leaves_little_over(rules) &&
+               reading_cost(regular) >= clearly * reading_cost(rules);
+    });
+}
+
 /// Calls `task(k, progress)` for k = 0 .. count - 1 on as many threads as there may be, the calling one among them: only
 /// this one tells of its progress.
 void run_tasks(std::size_t count, int threads, const Progress& progress,
@@ -164,8 +196,10 @@ bool is_plain_lattice(const Description& description) {
 /// it leaves nothing to wish for.
 class Describer {
   public:
-    Describer(const std::vector<Drawing>& drawings, const PreparedDrawing& prepared, const SearchOptions& search)
-        : drawings_(drawings), prepared_(prepared), search_(search), readings_(drawings.size() * tolerances()) {}
+    /// `starts[d]`: for drawings[d] a state for each tolerance, as many for all.
+    Describer(const std::vector<Drawing>& drawings, std::vector<std::span<const SearchState>> starts,
+              const SearchOptions& search)
+        : drawings_(drawings), starts_(std::move(starts)), search_(search), readings_(drawings.size() * tolerances()) {}
 
     std::vector<Description> run(int threads, const Progress& progress) {
         // All ways of an opening before the next opening: the search from below takes longest and comes first.
@@ -189,7 +223,7 @@ class Describer {
   private:
     struct Settled {};
 
-    std::size_t tolerances() const { return prepared_.readings.front().starts.size(); }
+    std::size_t tolerances() const { return starts_.empty() ? 0 : starts_.front().size(); }
 
     /// `way` counts readings of the drawing and tolerances.
     void describe_from(std::size_t opening, std::size_t way, const Progress& told) {
@@ -198,7 +232,7 @@ class Describer {
             report(told, stage, fraction);
         };
         if (settled_) return;
-        const SearchState& start = prepared_.readings[way / tolerances()].starts[way % tolerances()];
+        const SearchState& start = starts_[way / tolerances()][way % tolerances()];
         std::optional<SearchState> opened = openings()[opening].open(start, search_, until_settled);
         if (!opened) return;
         SearchState found = generate_rules(std::move(*opened), search_, until_settled);
@@ -217,12 +251,35 @@ class Describer {
     }
 
     const std::vector<Drawing>& drawings_;
-    const PreparedDrawing& prepared_;
+    std::vector<std::span<const SearchState>> starts_;
     const SearchOptions& search_;
     std::vector<Reading> readings_;
     std::mutex offering_;
     std::atomic<bool> settled_ = false;
 };
+
+/// An irregular drawing read once more as the regular one that it was meant to be.
+std::vector<Description> describe_regular(const std::vector<Drawing>& drawings, const SearchOptions& search, int threads,
+                                          const Progress& progress) {
+    constexpr double size = PoseTolerance{}.size;
+    std::vector<const Drawing*> drawn;
+    std::vector<Drawing> meant;
+    std::vector<SearchState> states;
+    for (const Drawing& drawing : drawings) {
+        const std::optional<Instancing> regular = regular_drawing(drawing.instancing, drawing.diagonal);
+        if (!regular) continue;
+        drawn.push_back(&drawing);
+        meant.push_back(drawing);
+        states.push_back(starting_state(*regular, {size, size, PoseTolerance{}.per_distance}, drawing.diagonal));
+    }
+    std::vector<std::span<const SearchState>> starts;
+    for (const SearchState& state : states) starts.emplace_back(&state, 1);
+    std::vector<Description> descriptions = Describer(meant, std::move(starts), search).run(threads, progress);
+    for (Description& description : descriptions) {
+        description.reading = drawn[static_cast<std::size_t>(description.reading - meant.data())];
+    }
+    return descriptions;
+}
 
 Overlaps with_faint_pairs(Overlaps overlaps) {
     overlaps.pairs.insert(overlaps.pairs.end(), overlaps.faint.begin(), overlaps.faint.end());
@@ -238,11 +295,18 @@ struct Proof {
     Verification check;
 };
 
-Proof proof_of(const Drawing& drawing, const Description& description, const Overlaps& overlaps, int threads) {
+Proof proof_of(const Drawing& drawing, const Description& description, const Overlaps& overlaps,
+               const AnalyzeOptions& options) {
     Proof proof;
+    if (options.symmetrize) {
+        proof.layered = with_paint_order(description.written.grammar, description.written.element_of_leaf, overlaps);
+        proof.grammar = parse_grammar(to_text(proof.layered));
+        proof.check = verify_layout(proof.grammar, description.written, description.reading->instancing, drawing.diagonal);
+        return proof;
+    }
     proof.layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
     proof.grammar = parse_grammar(to_text(proof.layered));
-    proof.check = verify(proof.grammar, drawing.scene, overlaps, {.threads = threads});
+    proof.check = verify(proof.grammar, drawing.scene, overlaps, {.threads = options.threads});
     return proof;
 }
 
@@ -269,6 +333,7 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
     Analysis analysis;
     AnalysisReport& report_out = analysis.report;
     report_out.seconds.similarity = prepared.seconds;
+    report_out.symmetrized = options.symmetrize;
     Stopwatch watch;
     const Overlaps& overlaps = prepared.overlaps;
     // Two readings: equal shapes in other styles are other looks, or one look with its colours as arguments.
@@ -284,8 +349,14 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
     search.weights = options.weights;
     search.objective = report_out.objective = options.objective;
     const bool shortest = options.objective == Objective::bits;
-    std::vector<Description> descriptions =
-        Describer(drawings, prepared, search).run(options.threads, progress);
+    std::vector<std::span<const SearchState>> starts;
+    for (std::size_t d = 0; d < drawings.size(); ++d) starts.emplace_back(prepared.readings[d].starts);
+    std::vector<Description> descriptions = Describer(drawings, std::move(starts), search).run(options.threads, progress);
+    if (options.tolerance == 0 && may_be_irregular(descriptions)) {
+        std::vector<Description> loose = describe_regular(drawings, search, options.threads, progress);
+        std::erase_if(loose, [&](const Description& each) { return !says_clearly_less(each, descriptions); });
+        std::ranges::move(loose, std::back_inserter(descriptions));
+    }
     std::ranges::stable_sort(descriptions, {}, reading_cost);
     std::erase_if(descriptions, [&](const Description& d) { return shortest && d.bits.grammar >= d.bits.drawing; });
     report_out.seconds.rules = watch.lap();
@@ -296,10 +367,10 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
         const bool last = tried == descriptions.size();
         if (last) descriptions.push_back(*describe(drawings.front(), no_rules(drawings.front()), 0));
         const Description& description = descriptions[tried];
-        Proof proof = proof_of(drawings.front(), description, overlaps, options.threads);
+        Proof proof = proof_of(drawings.front(), description, overlaps, options);
         if (proof.check.passed && !looks_the_same(drawings.front(), proof, options.threads)) {
             // What hardly shows once shows when it comes by the hundred: these orders are kept as well.
-            proof = proof_of(drawings.front(), description, with_faint_pairs(overlaps), options.threads);
+            proof = proof_of(drawings.front(), description, with_faint_pairs(overlaps), options);
         }
         const DescriptionBits bits = bits_of(description, proof.layered);
         report_out.check = std::move(proof.check);

@@ -42,12 +42,13 @@ struct AnalysisReport {
     double grammar_bits = 0;
     double tolerance = 0;  ///< the one that was kept
     Objective objective = Objective::bits;
+    bool symmetrized = false;  ///< `check` is verify_layout's
     std::vector<std::string> warnings;
     AnalysisSeconds seconds;
 };
 
 struct Analysis {
-    Grammar grammar;  ///< has passed its check, or is the flat list of all elements, which always does
+    Grammar grammar;  ///< has passed its check, or is the flat list of all elements, which always does; see symmetrize
     AnalysisReport report;
 };
 

@@ -19,6 +19,8 @@ struct AnalyzeOptions {
     double tolerance = 0;
     ImportanceWeights weights;
     Objective objective = Objective::bits;
+    /// Draw the regular layout behind the drawing: what elements miss their places by is dropped.
+    bool symmetrize = false;
     int threads = 0;  ///< 0 = one per processor; the result is the same for any number
 };
 

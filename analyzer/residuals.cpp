@@ -11,6 +11,10 @@ namespace rinceau {
 
 namespace {
 
+constexpr double residual_share = 0.3;  // of the tolerance, that a number of an exception may be off by
+constexpr const char* residuals_comment =
+    "from here on: where elements stand in the drawing; without these lines they stand regularly";
+
 /// Distance of the farthest outline point from the origin, unit frame.
 double outline_reach(const Look& look) {
     const Box box = bounds(look.paths);
@@ -53,6 +57,7 @@ Nearest nearest_gauge(const Look& look, double reach, const Similarity& drawn, c
 Residuals with_residuals(const WrittenGrammar& written, const Instancing& instancing, double tolerance) {
     Residuals result;
     result.grammar = written.grammar;
+    bool commented = false;
     InterpretOptions options;
     options.addresses = true;
     const std::vector<Placement> placements = interpret(written.grammar, options);
@@ -76,7 +81,7 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
         std::vector<ModuleTemplate> move;
         const double size = scale_of(placement.pose);
         const double reach = reaches[at] * scale_of(instance.pose);
-        const double fine = 0.1 * tolerance;
+        const double fine = residual_share * tolerance;
         append_move(move, inverse(placement.pose) * nearest.pose,
                     {fine / size, fine / std::max(reach, fine), fine / std::max(reach, fine), fine / std::max(reach, fine)});
         ++result.exceptions;
@@ -88,6 +93,8 @@ Residuals with_residuals(const WrittenGrammar& written, const Instancing& instan
             continue;
         }
         Exception exception;
+        if (!commented) exception.comment = residuals_comment;
+        commented = true;
         exception.address = placement.address;
         exception.successor = std::move(move);
         exception.successor.push_back(command(symbol));

@@ -115,6 +115,8 @@ void add_recognition_options(CLI::App& verb, AnalyzeVerbOptions& options) {
             "What decides on the next rule: what it saves in bits, or the importance function of Stava et al. 2010, which "
             "joins whatever repeats")
         ->type_name("bits|paper");
+    verb.add_flag("--symmetrize", options.analyze.symmetrize,
+                  "Draw the regular layout behind an irregular drawing; the report says how far elements moved");
     verb.add_option("--threads", options.analyze.threads,
                     "Threads; 0 = one per processor; the result is the same for any number")
         ->check(CLI::Range(0, most_threads))

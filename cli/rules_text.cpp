@@ -36,7 +36,10 @@ std::string summary_line(const AnalysisReport& report) {
     std::string line = count(report.elements, "element", "elements") + ", " +
                        count(static_cast<int>(report.terminals.size()), "terminal", "terminals") + ", " +
                        count(static_cast<int>(report.productions.size()), "rule", "rules") + "; " +
-                       bits(report.grammar_bits) + " bits instead of " + bits(report.drawing_bits) + "; largest deviation " +
+                       bits(report.grammar_bits) + " bits instead of " + bits(report.drawing_bits) +
+                       (report.symmetrized ? "; regular layout, elements moved by " + short_number(report.check.rms_deviation) +
+                                                 " (root mean square) and at most "
+                                           : "; largest deviation ") +
                        short_number(report.check.max_deviation) + " of the diagonal";
     if (report.objective == Objective::paper) line += "; rules in the order of the paper's importance function";
     if (report.verbatim > 0) line += "; " + count(report.verbatim, "element", "elements") + " kept verbatim";
