@@ -25,6 +25,7 @@ constexpr double directed_bits = 10;   // saying that the heading follows the st
 constexpr double closing_credit = 26;  // the last pair of groups joins even at this loss, so that the axiom is one symbol
 constexpr std::size_t closing_groups = 3;
 constexpr double ambiguity_price = 0.75;
+constexpr double turn_price = 1;  // a square lattice is rows as well as rings of four: of equals, rows are what a person sees
 constexpr double false_alarm_bits = -7;
 constexpr double link_hope = 1.5;  // links that a sequence may have for each vote of neighbours
 constexpr double link_slack = 2;
@@ -289,6 +290,8 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
     const double future = options.future * item_bits * (repeats ? sum.repeats : sum.pairs - 1);
     evaluation.score = w.count * (sum.pairs * item_bits + future) - w.length * use_bits - 2 * w.nearness * sum.gap_bits -
                        w.similarity * sum.residual_bits - rule_bits;
+    constexpr double turned = 0.01;  // radians
+    if (repeats && std::abs(arg(evaluation.step.linear)) > turned) evaluation.score -= turn_price;
     // A partner that could as well be another one is no partner: rows and rings of each part come first.
     evaluation.score -= ambiguity_price * (evaluation.ambiguity - 1) * sum.pairs * item_bits;
     return evaluation;
