@@ -238,7 +238,8 @@ class Bridge {
                 }
             }
         }
-        return few_exceptions(pattern) && others >= same;
+        constexpr int few_alike = 2;  // more with just these gaps must be outnumbered
+        return few_exceptions(pattern) && !has_even_gaps(pattern) && others >= (same > few_alike ? 2 * same : same);
     }
 
     /// Does a line of so many places, with a gap at most behind it, come round?
@@ -261,7 +262,7 @@ class Bridge {
         const bool blocks = std::ranges::all_of(segments, [&](const Segment& s) { return length(s) == length(segments.front()); });
         const auto broken = witnesses.broken.find(line.places.size());
         const bool alone = broken != witnesses.broken.end() && broken->second.size() == 1 && broken->second.begin()->second == 1;
-        return few_exceptions(pattern) && runs && !blocks && alone;
+        return few_exceptions(pattern) && runs && !blocks && !has_even_gaps(pattern) && alone;
     }
 
     std::vector<Segment> worth_joining(const Line& line, const Witnesses& witnesses) const {

@@ -76,6 +76,7 @@ std::optional<Gathered> gather_sequence(const SearchState& state, GridCache& gri
         const double reach = distance + abs(place.translation - pose.translation);
         if (const auto member = gather(state, grids, whole.children[k].part, place, reach); member && member->exceptions == 0) {
             plan.members[k] = *member;
+            taken[k] = 1;
             ++present;
         } else {
             ++missing;
@@ -85,7 +86,7 @@ std::optional<Gathered> gather_sequence(const SearchState& state, GridCache& gri
     const std::size_t pieces = plan.runs.size() + present - of_runs;
     const bool gaps_are_few = missing <= few_missing + (pieces > 0 ? 2 * (pieces - 1) : 0);
     plan.exceptions = static_cast<int>(missing);
-    if (present >= 2 && 2 * (missing + known) <= count && gaps_are_few) return plan;
+    if (present >= 2 && 2 * (missing + known) <= count && gaps_are_few && !has_even_gaps(taken)) return plan;
     if (plan.runs.empty()) return std::nullopt;
     const int longest = *std::ranges::max_element(plan.runs, {}, [&](int run) { return state.item(run).members.size(); });
     return Gathered{longest, {}, {}, 1};
@@ -125,6 +126,23 @@ std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int p
         default:
             return std::nullopt;
     }
+}
+
+bool has_even_gaps(const std::vector<char>& taken) {
+    std::vector<std::size_t> begins, widths;
+    for (std::size_t k = 0; k < taken.size(); ++k) {
+        if (taken[k]) continue;
+        if (k == 0 || taken[k - 1]) {
+            begins.push_back(k);
+            widths.push_back(0);
+        }
+        ++widths.back();
+    }
+    if (begins.size() < 3) return false;
+    for (std::size_t g = 2; g < begins.size(); ++g) {
+        if (begins[g] - begins[g - 1] != begins[1] - begins[0]) return false;
+    }
+    return std::ranges::all_of(widths, [&](std::size_t width) { return width == widths.front(); });
 }
 
 std::vector<int> members_from(const SearchState& state, int item, const Similarity& first) {

@@ -26,6 +26,9 @@ struct Gathered {
 std::optional<Gathered> gather(const SearchState& state, GridCache& grids, int part, const Similarity& pose, double distance,
                                bool witnessed = false);
 
+/// Three or more gaps (0) of one width at even distances are a rhythm: what stands between them are blocks.
+bool has_even_gaps(const std::vector<char>& taken);
+
 /// Members of an item of a sequence, from the end whose place is nearer to `first`.
 std::vector<int> members_from(const SearchState& state, int item, const Similarity& first);
 

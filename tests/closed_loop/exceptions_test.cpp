@@ -247,6 +247,10 @@ TEST_CASE("equal blocks with gaps between them are blocks, not a row with holes"
     CHECK(rules_in_words(halves.report) == "sequence of 2; sequence of 5");
     CHECK(halves.grammar.exceptions.empty());
 
+    // Under a whole row as well: the gaps are even.
+    const Analysis fence = analyze(tiles(grid(15, 5, [](int c, int r) { return r == 0 || r == 4 || c % 3 != 1; })));
+    CHECK(fence.grammar.exceptions.empty());
+
     const Analysis lattice = analyze(tiles(grid(19, 4, [](int c, int) { return c % 5 != 4; })));
     CHECK(lattice.grammar.exceptions.empty());
     CHECK(axiom_symbols(lattice.grammar) == 1);

@@ -46,7 +46,7 @@ std::vector<Recipe> grids() {
          "except 1.1.3 -> D\nexcept 1.1.10 -> D",
          {{"A", element(rectangle(12, 20), filled(ink))}, {"B", element(rectangle(9, 16), filled(sky))},
           {"D", sized(hook(), 10, filled(clay))}},
-         3, 5, 3, true},
+         3, 3, 1, true},
         {"footprints", "axiom: P(20)\nP(m) : m > 0 -> [A] f(8) | P(m-1)",
          {{"A", element(transformed(transformed(hook(), scale_by(3)), translate({4, 0})), filled(ink))}}, 1, 1},
     };
