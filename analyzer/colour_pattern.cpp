@@ -123,8 +123,10 @@ class PatternSearch {
         pattern.expression = parse_expression(text);
         pattern.bits = tint_bits(pattern.expression) + parameter_bits(parameter);
         for (std::size_t k = 0; k < column_.uses.size(); ++k) {
-            if (predict(column_.uses[k]) == column_.uses[k].tint) continue;
+            const Tint missing = column_.uses[k].tint - predict(column_.uses[k]);
+            if (missing == 0) continue;
             pattern.departures.push_back(static_cast<int>(k));
+            pattern.missing.push_back(missing);
             pattern.bits += exception_bits_;
             if (found_ && pattern.bits >= best_.bits) return;
         }
@@ -168,7 +170,7 @@ class PatternSearch {
     }
 
     static Tint of(const std::vector<Tint>& values, const TintUse& use) { return values[static_cast<std::size_t>(use.owner)]; }
-    bool several_owners() const { return column_.owners > 1; }
+    bool several_owners() const { return column_.owners > 1 && !new_name_.empty(); }
 
     template <class At>
     void offer_cases(const std::map<Tint, Tint>& table, const std::string& x, const At& at) {
@@ -369,6 +371,7 @@ class PatternSearch {
                 (use.tint - least) / factor * powers[static_cast<std::size_t>(use.m - 1)];
         }
         const bool one = std::ranges::all_of(words, [&](Tint word) { return word == words.front(); });
+        if (!one && new_name_.empty()) return;
         const std::string word = one ? std::to_string(words.front()) : new_name_;
         const std::string radix = std::to_string(base);
         const std::string digit = "floor(" + word + " / " + radix + "^(" + column_.counter + " - 1)) % " + radix;

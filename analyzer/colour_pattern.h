@@ -39,10 +39,11 @@ struct TintPattern {
     Expression expression;         ///< in the counter, known parameters and at most one new one
     std::vector<Tint> parameter;   ///< values of the new one by owner; empty = it needs none
     std::vector<int> departures;   ///< indices of uses that the expression misses
+    std::vector<Tint> missing;     ///< by departure: what would have to be added
     double bits = 0;
 };
 
-/// `new_name`: of a parameter, should one be needed. `exception_bits`: price of one departure.
+/// `new_name`: of a parameter, should one be needed; empty = none is to be had. `exception_bits`: price of one departure.
 TintPattern shortest_pattern(const TintColumn& column, std::span<const TintParameter> known, const std::string& new_name,
                              double exception_bits);
 

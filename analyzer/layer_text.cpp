@@ -52,6 +52,8 @@ std::vector<ModuleTemplate> raised(const std::vector<ModuleTemplate>& string, st
             result.push_back(string[i]);
             continue;
         }
+        if (!next->expression.postfix.empty())
+            result.push_back({.symbol = std::string(layer_symbol), .arguments = {next->expression}});
         append_raised(result, string[i], next->by, layer_must_end(string, i, next->site.string == -1));
         ++next;
     }

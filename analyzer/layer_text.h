@@ -12,6 +12,7 @@ namespace rinceau {
 struct SiteLayer {
     ModuleSite site;
     int by = 0;
+    Expression expression;  ///< .. and by this, if it is not empty; the bracket of the site then ends behind the module
 };
 
 /// Raise what one module of the derivation draws. No exception stands at its address yet.

@@ -10,6 +10,7 @@
 
 #include "analyzer/derivation_tree.h"
 #include "analyzer/layer_demands.h"
+#include "analyzer/layer_patterns.h"
 #include "analyzer/layer_text.h"
 #include "analyzer/repetition_layers.h"
 #include "lsystem/interpret.h"
@@ -32,6 +33,7 @@ struct Problem {
 struct Plan {
     std::vector<int> site_layers;
     std::vector<int> module_layers;
+    std::map<int, Expression> site_expressions;  ///< by site, beside its layer
     std::size_t cost = 0;
 };
 
@@ -202,6 +204,19 @@ void move_common_layers_to_sites(const Problem& problem, Plan& plan) {
     }
 }
 
+/// What follows a counter is said by it.
+void move_patterns_to_sites(const Problem& problem, Plan& plan) {
+    std::vector<std::vector<int>> nodes(problem.tree.sites.size());
+    for (std::size_t n = 1; n < problem.tree.nodes.size(); ++n) {
+        nodes[static_cast<std::size_t>(problem.tree.nodes[n].site)].push_back(static_cast<int>(n));
+    }
+    for (LayerPattern& pattern : layer_patterns(problem.grammar, problem.leaves, problem.tree, nodes, plan.module_layers)) {
+        const std::vector<int>& here = nodes[static_cast<std::size_t>(pattern.site)];
+        for (std::size_t k = 0; k < here.size(); ++k) plan.module_layers[static_cast<std::size_t>(here[k])] = pattern.rest[k];
+        plan.site_expressions[pattern.site] = std::move(pattern.by);
+    }
+}
+
 std::size_t count_nonzero(const std::vector<int>& values) {
     return values.size() - static_cast<std::size_t>(std::count(values.begin(), values.end(), 0));
 }
@@ -209,7 +224,9 @@ std::size_t count_nonzero(const std::vector<int>& values) {
 /// A z command is one module, an exception a line with an address.
 std::size_t cost_of(const Plan& plan) {
     constexpr std::size_t modules_per_exception = 3;
-    return count_nonzero(plan.site_layers) + modules_per_exception * count_nonzero(plan.module_layers);
+    constexpr std::size_t modules_per_expression = 2;
+    return count_nonzero(plan.site_layers) + modules_per_expression * plan.site_expressions.size() +
+           modules_per_exception * count_nonzero(plan.module_layers);
 }
 
 /// Plans that start from the given layers of sites: exceptions for leaves, or for the largest modules that can move as one.
@@ -240,6 +257,7 @@ std::vector<Plan> plans_by_cost(const Problem& problem) {
     for (const std::vector<int>& start : starts) {
         for (Plan& plan : complete_plans(problem, start)) {
             move_common_layers_to_sites(problem, plan);
+            move_patterns_to_sites(problem, plan);
             plan.cost = cost_of(plan);
             plans.push_back(std::move(plan));
         }
@@ -251,7 +269,12 @@ std::vector<Plan> plans_by_cost(const Problem& problem) {
 Grammar written(const Problem& problem, const Plan& plan) {
     std::vector<SiteLayer> sites;
     for (std::size_t s = 0; s < plan.site_layers.size(); ++s) {
-        if (plan.site_layers[s] != 0) sites.push_back({problem.tree.sites[s], plan.site_layers[s]});
+        const auto found = plan.site_expressions.find(static_cast<int>(s));
+        if (found != plan.site_expressions.end()) {
+            sites.push_back({problem.tree.sites[s], plan.site_layers[s], found->second});
+        } else if (plan.site_layers[s] != 0) {
+            sites.push_back({problem.tree.sites[s], plan.site_layers[s], {}});
+        }
     }
     std::vector<AddressLayer> exceptions;
     for (std::size_t n = 1; n < plan.module_layers.size(); ++n) {

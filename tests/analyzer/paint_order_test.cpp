@@ -255,3 +255,26 @@ TEST_CASE("columns that lie row upon row take one layer for each repetition") {
     CHECK(ordered.exceptions.empty());
     CHECK(layer_commands(ordered) == 1);
 }
+
+TEST_CASE("every other one above its neighbours is a layer that follows the counter") {
+    constexpr int rows = 3, places = 8;
+    const Grammar grammar = grammar_of("axiom: G(3)\nG(m) : m > 0 -> [R(8)] f(9) G(m-1)\nR(m) : m > 0 -> [A] +(90) f(1) -(90) R(m-1)");
+    std::vector<int> element_of_leaf;  // of each row, the drawing has first those with even places
+    for (int row = 0; row < rows; ++row) {
+        for (int place = 0; place < places; ++place)
+            element_of_leaf.push_back(row * places + place / 2 + (place % 2 == 1 ? places / 2 : 0));
+    }
+    std::vector<std::pair<int, int>> pairs;
+    for (int row = 0; row < rows; ++row) {
+        for (int place = 1; place < places; place += 2) {
+            for (const int beside : {place - 1, place + 1}) {
+                if (beside < places) pairs.emplace_back(row * places + beside, row * places + place);
+            }
+        }
+    }
+    const Overlaps overlaps = pairs_of_leaves(pairs, element_of_leaf);
+    const Grammar ordered = with_paint_order(grammar, element_of_leaf, overlaps);
+    check_painted_right(grammar, ordered, element_of_leaf, overlaps);
+    CHECK(ordered.exceptions.empty());
+    CHECK(layer_commands(ordered) == 1);
+}
