@@ -224,9 +224,9 @@ std::size_t count_nonzero(const std::vector<int>& values) {
 /// A z command is one module, an exception a line with an address.
 std::size_t cost_of(const Plan& plan) {
     constexpr std::size_t modules_per_exception = 3;
-    constexpr std::size_t modules_per_expression = 2;
-    return count_nonzero(plan.site_layers) + modules_per_expression * plan.site_expressions.size() +
-           modules_per_exception * count_nonzero(plan.module_layers);
+    std::size_t expressions = 0;  // a module, and what there is to calculate
+    for (const auto& [unused, expression] : plan.site_expressions) expressions += 2 + expression.postfix.size() / 2;
+    return count_nonzero(plan.site_layers) + expressions + modules_per_exception * count_nonzero(plan.module_layers);
 }
 
 /// Plans that start from the given layers of sites: exceptions for leaves, or for the largest modules that can move as one.
