@@ -225,7 +225,7 @@ std::size_t count_nonzero(const std::vector<int>& values) {
 std::size_t cost_of(const Plan& plan) {
     constexpr std::size_t modules_per_exception = 3;
     std::size_t expressions = 0;  // a module, and what there is to calculate
-    for (const auto& [unused, expression] : plan.site_expressions) expressions += 2 + expression.postfix.size() / 2;
+    for (const auto& [unused, expression] : plan.site_expressions) expressions += 3 + expression.postfix.size() / 2;
     return count_nonzero(plan.site_layers) + expressions + modules_per_exception * count_nonzero(plan.module_layers);
 }
 
