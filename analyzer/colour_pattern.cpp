@@ -90,6 +90,7 @@ class PatternSearch {
         try_own();
         if (!column_.counter.empty() && largest_m_ > 1 && best_.bits > simplest_bits) {
             try_linear();
+            try_linear_with_jump();
             for (int period = 2; period <= std::min(longest_period, largest_m_ - 1); ++period) try_period(period);
             try_special_repetitions();
             try_digits();
@@ -240,6 +241,25 @@ class PatternSearch {
         if (!several_owners()) return;
         const std::vector<Tint> own = by_owner(rest);
         offer(starting(new_name_), [&](const TintUse& use) { return of(own, use) + slope * use.m; }, own);
+    }
+
+    /// Counting on behind a gap: slope*m + start, and from some m on a step more or less.
+    void try_linear_with_jump() {
+        const Tint slope = commonest_slope();
+        if (slope == 0) return;
+        std::map<Tint, std::vector<Tint>> found;
+        for (const TintUse& use : column_.uses) found[use.m].push_back(use.tint - slope * use.m);
+        std::vector<std::pair<Tint, Tint>> rests;  // (m, rest)
+        for (auto& [m, rest] : found) rests.emplace_back(m, commonest(std::move(rest)));
+        const Tint before = rests.front().second, behind = rests.back().second;
+        const auto jump = std::ranges::find_if(rests, [&](const auto& rest) { return rest.second != before; });
+        if (std::ranges::any_of(jump, rests.end(), [&](const auto& rest) { return rest.second != behind; })) return;
+        if (jump == rests.end() || jump == rests.begin()) return;
+        const Tint last = std::prev(jump)->first, step = behind - before;
+        const std::string text = linear_text(slope, column_.counter, before) + (step < 0 ? " - " : " + ") +
+                                 (std::abs(step) == 1 ? "" : std::to_string(std::abs(step)) + "*") + "(" + column_.counter +
+                                 " > " + std::to_string(last) + ")";
+        offer(text, [&](const TintUse& use) { return slope * use.m + before + (use.m > last ? step : 0); });
     }
 
     /// Commonest tint by phase(use) modulo the period; nothing if a phase does not occur.
