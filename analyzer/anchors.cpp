@@ -94,6 +94,7 @@ Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<S
     Similarity member = anchors[static_cast<std::size_t>(first.part)];
     if (kind == RuleKind::linear) member.translation = {};  // alpha and beta are linear about the member's own origin
     const Similarity head = first.pose * member;
+    if (part.pivot) return {part.pivot->linear * (scale_of(head) / scale_of(*part.pivot)), part.pivot->translation, part.pivot->mirrored};
     if (kind != RuleKind::ring) return head;
     // The pivot, facing the first member, at the member's scale.
     const double reach = abs(head.translation);

@@ -124,7 +124,8 @@ double flat_list_bits(const Instancing& instancing, double diagonal) {
 }
 
 DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,
-                                 const Instancing& instancing, const std::vector<double>& deviation, double diagonal) {
+                                 const Instancing& instancing, const std::vector<double>& deviation, double diagonal,
+                                 double exact) {
     DescriptionBits bits;
     const std::vector<double> flat = flat_bits(instancing, diagonal);
     double log_size = 0, drawn = 0;
@@ -179,7 +180,10 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
         if (alone[element]) continue;
         const Instance& instance = instancing.instances[element];
         const double in_precisions = deviation[leaf] / (precision * scale_of(instance.pose));
-        if (in_precisions > 1) bits.grammar += 2 * std::log2(1 + in_precisions);
+        if (in_precisions <= 1) continue;
+        const double residual = 2 * std::log2(1 + in_precisions);
+        bits.grammar += residual;
+        if (deviation[leaf] <= exact) bits.unseen += residual;
     }
     return bits;
 }

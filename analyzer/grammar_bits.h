@@ -11,14 +11,16 @@ namespace rinceau {
 struct DescriptionBits {
     double drawing = 0;  ///< every element written flat
     double grammar = 0;  ///< axiom, productions, constants, exceptions, residuals
+    double unseen = 0;   ///< of these, residuals that no exception mends: too small to be seen
 };
 
 /// All elements written flat.
 double flat_list_bits(const Instancing& instancing, double diagonal);
 
-/// `deviation` by leaf as from with_residuals. Precision: 0.2 % of an element's size. The outlines of the terminals and the
-/// styles' definitions count in neither.
+/// `deviation` by leaf as from with_residuals, which mended those over `exact` (a scene length). Precision: 0.2 % of an
+/// element's size. The outlines of the terminals and the styles' definitions count in neither.
 DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,
-                                 const Instancing& instancing, const std::vector<double>& deviation, double diagonal);
+                                 const Instancing& instancing, const std::vector<double>& deviation, double diagonal,
+                                 double exact = 0);
 
 }  // namespace rinceau

@@ -1,39 +1,45 @@
 #include "analyzer/openings.h"
 
+#include <utility>
+
 #include "analyzer/branch_opening.h"
 #include "analyzer/open_with_spirals.h"
-#include "analyzer/scene_rotation.h"
-#include "analyzer/sector_rules.h"
+#include "analyzer/symmetry_rules.h"
 
 namespace rinceau {
 
 namespace {
 
-std::optional<SearchState> open_with_nothing(const SearchState& start, const SearchOptions&, const Progress&) { return start; }
+/// A lattice has turns and mirrors too: rows and columns are what a person sees unless the symmetry says clearly less.
+constexpr ConvincingCost clearly_less{0.9, 1};
+/// In equally many rules the symmetry of the whole is what a person sees.
+constexpr ConvincingCost about_the_same{1.15, 1.1};
 
-std::optional<SearchState> open_with_rotation(const SearchState& start, const SearchOptions& options, const Progress& progress) {
-    const auto rotation = find_scene_rotation(start);
-    if (!rotation) return std::nullopt;
-    return open_with_sectors(start, *rotation, options, progress);
-}
+using Finder = std::optional<SearchState> (*)(const SearchState&);
 
-std::optional<SearchState> open_with_spiral(const SearchState& start, const SearchOptions&, const Progress&) {
-    return open_with_spirals(start);
+/// An opening that needs no options.
+Opening opening(std::string name, Finder find) {
+    return {std::move(name), {}, {}, [find](const SearchState& start, const SearchOptions&, const Progress&) { return find(start); }};
 }
 
 }  // namespace
 
-const std::vector<Opening>& openings() {
-    // A lattice turns about its middle too: rows and columns are what a person sees unless the rotation says clearly less.
-    constexpr double clearly = 0.9;
-    static const std::vector<Opening> all{
-        {"from below", 1, open_with_nothing},
-        {"rotation of the whole", clearly, open_with_rotation},
-        {"branching", 1, [](const SearchState& start, const SearchOptions&, const Progress&) { return open_with_branching(start); }},
-        {"self-similarity", 1,
-         [](const SearchState& start, const SearchOptions&, const Progress&) { return open_with_self_similarity(start); }},
-        {"spirals", 1, open_with_spiral},
-    };
+Opening opening_from_below() {
+    return {"from below", {}, {}, [](const SearchState& start, const SearchOptions&, const Progress&) { return start; }};
+}
+
+std::vector<Opening> openings_of(const SearchState& start) {
+    std::vector<Opening> all;
+    for (SceneSymmetry& symmetry : find_scene_symmetries(start)) {
+        all.push_back({"symmetry of the whole", clearly_less, about_the_same,
+                       [found = std::move(symmetry)](const SearchState& state, const SearchOptions& options,
+                                                     const Progress& progress) -> std::optional<SearchState> {
+                           return open_with_symmetry(state, found, options, progress);
+                       }});
+    }
+    all.push_back(opening("branching", [](const SearchState& state) { return open_with_branching(state); }));
+    all.push_back(opening("self-similarity", [](const SearchState& state) { return open_with_self_similarity(state); }));
+    all.push_back(opening("spirals", [](const SearchState& state) { return open_with_spirals(state); }));
     return all;
 }
 

@@ -4,24 +4,33 @@
 
 #include <functional>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "analyzer/generate_rules.h"
 
 namespace rinceau {
 
+/// Shares of the reading cost of the description from below: what costs less is preferred to it.
+struct ConvincingCost {
+    double all = 1;
+    double visible = 1;  ///< without residuals that cannot be seen
+};
+
 struct Opening {
-    std::string_view name;
-    /// The part of the bottom-up description's reading cost below which this reading is preferred to it, 0 < share <= 1.
-    double convincing_share = 1;
+    std::string name;
+    ConvincingCost if_longer;      ///< if it needs more productions
+    ConvincingCost if_not_longer;
     /// From a starting_state: the state in which what was found is already items, or nothing. A found item that the search
     /// shall leave alone is alive but in no list of members. To find nothing must cost far less than the search.
     std::function<std::optional<SearchState>(const SearchState& start, const SearchOptions& options, const Progress& progress)>
         open;
 };
 
-/// All of them; the first opens nothing, so that everything is found from below.
-const std::vector<Opening>& openings();
+/// Opens nothing, so that everything is found from below.
+Opening opening_from_below();
+
+/// Those that may open this drawing. `start` is a starting_state. Several readings of one kind are openings of their own.
+std::vector<Opening> openings_of(const SearchState& start);
 
 }  // namespace rinceau

@@ -184,8 +184,25 @@ std::string group_comment(const Part& part, const std::vector<std::string>& name
     return text + (many ? " and " + std::to_string(unnamed) + " more" : "") + " together";
 }
 
+/// Two halves, if the first two children are one part and its mirror image, written from one point.
+bool is_mirrored_whole(const Part& part) {
+    if (!part.pivot || part.children.size() < 2) return false;
+    return part.children[0].part == part.children[1].part && part.children[0].pose.mirrored != part.children[1].pose.mirrored;
+}
+
+/// "two mirror halves A" or "two mirror halves A with B and C"
+std::string halves_comment(const Part& part, const std::vector<std::string>& names) {
+    const std::string text = "two mirror halves " + names[static_cast<std::size_t>(part.children.front().part)];
+    if (part.children.size() == 2) return text;
+    Part rest;
+    rest.children.assign(part.children.begin() + 2, part.children.end());
+    const std::string between = group_comment(rest, names);
+    return text + " with " + between.substr(0, between.rfind(" together"));
+}
+
 std::string ring_comment(const RuleSet& rules, const Part& part, const std::string& what, const RuleUse& use) {
     const Item& item = rules.items[static_cast<std::size_t>(use.item)];
+    if (part.pivot) return "the whole: " + count_text(use) + " sectors " + what + " about one centre";
     const std::string text = "a ring of " + count_text(use) + " " + what;
     // The production begins at the first member of a group, not at its middle: one radius would not be the other.
     const Child& first = part.children.front();
@@ -219,7 +236,7 @@ std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<
         case RuleKind::spiral:
             return "Spiral";
         case RuleKind::group:
-            return part.children.size() == 2 ? "Pair" : "Motif";
+            return is_mirrored_whole(part) ? "Mirrored" : part.children.size() == 2 ? "Pair" : "Motif";
         case RuleKind::branch:
             return rule_of(rules, part).members.empty() ? "Fractal" : "Tree";
         case RuleKind::sequence:
@@ -232,7 +249,7 @@ std::string rule_comment(const RuleSet& rules, const Part& part, const std::vect
                          const std::vector<RuleUse>& uses) {
     const Rule& rule = rule_of(rules, part);
     const RuleUse& use = use_of(part, uses);
-    if (rule.kind == RuleKind::group) return group_comment(part, names);
+    if (rule.kind == RuleKind::group) return is_mirrored_whole(part) ? halves_comment(part, names) : group_comment(part, names);
     if (rule.kind == RuleKind::branch) return branch_comment(rules, part, names, use);
     const std::string& what = names[static_cast<std::size_t>(rule.repeated)];
     if (rule.kind == RuleKind::ring) return ring_comment(rules, part, what, use);

@@ -12,7 +12,8 @@ namespace rinceau {
 std::string kind_name(RuleKind kind);
 
 /// One word with a capital letter for what the rule makes, as it lies in the drawing where it is used first: "Row", "Column",
-/// "Diagonal", "Grid" (a column of rows), "Taper", "Zigzag", "Arc", "Spiral", "Fan", "Nest", "Ring", "Curve", "Pair", "Motif".
+/// "Diagonal", "Grid" (a column of rows), "Taper", "Zigzag", "Arc", "Spiral", "Fan", "Nest", "Ring", "Curve", "Pair", "Motif",
+/// "Mirrored" (two halves).
 std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<RuleUse>& uses);
 
 /// "a row of 4 A, 12 apart", "a ring of 12 A, radius 40", "a spiral of 3 to 7 A, turning by 8.5 degrees, each 0.993 times as

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "analyzer/instancing.h"
@@ -52,6 +53,7 @@ struct Part {
     SymmetryGroup symmetry;
     double radius = 1;  ///< of a circle about the origin that holds the part, roughly; own units
     int leaves = 1;
+    std::optional<Similarity> pivot;  ///< part frame: where the part is written from (unit linear part), if not at its first child
 };
 
 struct Item {

@@ -1,0 +1,71 @@
+#include "analyzer/description.h"
+
+#include "analyzer/colouring.h"
+#include "analyzer/fill_gaps.h"
+#include "analyzer/inline_groups.h"
+#include "analyzer/mirrored_halves.h"
+#include "analyzer/order_rules.h"
+
+namespace rinceau {
+
+namespace {
+
+// Shares of the diagonal. A picture 900 pixels wide has a diagonal of some 1100 pixels: the first is a tenth of a pixel.
+constexpr double exact_share = 8e-5;     // an element may miss its place by this before it gets an exception
+constexpr double digits_share = 1.5e-5;  // one number of the grammar may move what follows it by this
+
+/// Bits, and for each production what it costs a reader to take in one more thing. (Two rules that fit loosely read better
+/// than four that fit to the last bit.)
+double reading_cost(const Description& description) {
+    constexpr double production_bits = 40;
+    constexpr double terminal_bits = 20;  // an outline of its own; readings differ in how many there are
+    return description.bits.grammar + production_bits * static_cast<double>(description.exact.productions.size()) +
+           terminal_bits * static_cast<double>(description.exact.terminals.size());
+}
+
+RuleSet no_rules(const Drawing& drawing) {
+    RuleSet rules = starting_state(drawing.instancing, {}, drawing.diagonal).rules;
+    RuleSet flat;
+    for (const Part& part : rules.parts) {
+        if (part.look >= 0) flat.parts.push_back(part);
+    }
+    for (Item& item : rules.items) {
+        if (item.element < 0) continue;
+        item.alive = true;
+        flat.items.push_back(std::move(item));
+    }
+    return flat;
+}
+
+}  // namespace
+
+DescriptionBits bits_of(const Description& description, const Grammar& grammar) {
+    const Drawing& drawing = *description.reading;
+    DescriptionBits bits = description_bits(description.ordered, description.written, grammar, drawing.instancing,
+                                            description.deviation, drawing.diagonal, exact_share * drawing.diagonal);
+    bits.drawing = drawing.flat_bits;
+    return bits;
+}
+
+std::optional<Description> describe(const Drawing& drawing, RuleSet rules, double tolerance) {
+    Description description;
+    description.reading = &drawing;
+    description.tolerance = tolerance;
+    description.ordered = ordered_for_painting(with_mirrored_halves(with_inlined_groups(with_filled_gaps(std::move(rules)))),
+                                               drawing.overlaps);
+    std::optional<WrittenGrammar> written =
+        with_colours(to_grammar(description.ordered, drawing.instancing, drawing.scene, digits_share * drawing.diagonal),
+                     drawing.instancing);
+    if (!written) return std::nullopt;
+    description.written = std::move(*written);
+    Residuals exact = with_residuals(description.written, drawing.instancing, exact_share * drawing.diagonal);
+    description.exact = std::move(exact.grammar);
+    description.deviation = std::move(exact.deviation);
+    description.bits = bits_of(description, description.exact);
+    description.cost = reading_cost(description);
+    return description;
+}
+
+Description flat_description(const Drawing& drawing) { return *describe(drawing, no_rules(drawing), 0); }
+
+}  // namespace rinceau
