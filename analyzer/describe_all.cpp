@@ -43,10 +43,24 @@ bool is_plain_lattice(const Description& description) {
            });
 }
 
-/// Is what was opened what a person sees? It must cost little enough also if nobody minds what cannot be seen.
+/// Members of the longest ring.
+int longest_ring(const Description& description) {
+    const RuleSet& rules = description.ordered.rules;
+    int longest = 0;
+    for (std::size_t p = 0; p < rules.parts.size(); ++p) {
+        const Part& part = rules.parts[p];
+        if (part.rule < 0 || description.written.symbol_of_part[p].empty()) continue;
+        if (rules.rules[static_cast<std::size_t>(part.rule)].kind == RuleKind::ring) longest = std::max(longest, part.count);
+    }
+    return longest;
+}
+
+/// Is what was opened what a person sees? It must cost little enough also if nobody minds what cannot be seen, and clearly
+/// less if it breaks a ring: sixty minutes are not five minutes twelve times.
 bool is_convincing(const Description& opened, const Description& from_below) {
     const auto visible_cost = [](const Description& d) { return d.cost - d.bits.unseen; };
-    const bool longer = opened.exact.productions.size() > from_below.exact.productions.size();
+    const bool longer = opened.exact.productions.size() > from_below.exact.productions.size() ||
+                        longest_ring(opened) < longest_ring(from_below);
     const ConvincingCost& most = longer ? opened.if_longer : opened.if_not_longer;
     return opened.cost < most.all * from_below.cost && visible_cost(opened) < most.visible * visible_cost(from_below);
 }

@@ -19,7 +19,7 @@ struct ConvincingCost {
 
 struct Opening {
     std::string name;
-    ConvincingCost if_longer;      ///< if it needs more productions
+    ConvincingCost if_longer;      ///< if it needs more productions, or breaks a ring
     ConvincingCost if_not_longer;
     /// From a starting_state: the state in which what was found is already items, or nothing. A found item that the search
     /// shall leave alone is alive but in no list of members. To find nothing must cost far less than the search.
