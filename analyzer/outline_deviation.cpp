@@ -126,7 +126,7 @@ double bound_of_likes(const Path& a, const Path& b, double limit) {
     if (p.empty()) return abs(a.start - b.start);
     const std::size_t shifts = a.closed ? p.size() : 1;
     double least = std::numeric_limits<double>::infinity();
-    for (const bool backwards : {false, true}) {
+    for (int direction = 0; direction < 2; ++direction) {
         for (std::size_t shift = 0; shift < shifts && least > limit; ++shift) {
             if (norm(p.front().from - q[shift].from) <= limit * limit) least = std::min(least, apart(p, q, shift, limit));
         }
