@@ -93,7 +93,7 @@ Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<S
     if (kind == RuleKind::spiral) return first.pose * inverse(spiral_pose(rule.spiral, spiral_index(rule.spiral, 0)));
     Similarity member = anchors[static_cast<std::size_t>(first.part)];
     if (kind == RuleKind::linear) member.translation = {};  // alpha and beta are linear about the member's own origin
-    const Similarity head = first.pose * member;
+    const Similarity head = first.pose * translate(rule.seat) * member;
     if (part.pivot) return {part.pivot->linear * (scale_of(head) / scale_of(*part.pivot)), part.pivot->translation, part.pivot->mirrored};
     if (kind != RuleKind::ring) return head;
     // The pivot, facing the first member, at the member's scale.

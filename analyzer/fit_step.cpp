@@ -32,13 +32,16 @@ Similarity mean_step(std::span<const Chain> chains) {
 
 namespace {
 
-/// What may change in a rule's step, as numbers: position, log scale, angle; for linear rules the two changes as well.
+/// What may change in a rule's step, as numbers: position, log scale, angle; for linear rules the changes and the seat as well.
 struct Parameters {
     static Eigen::VectorXd of(const Rule& rule) {
-        Eigen::VectorXd values(rule.kind == RuleKind::linear ? 6 : 4);
+        Eigen::VectorXd values(rule.kind == RuleKind::linear ? 11 : 4);
         values.head<4>() << rule.step.translation.x, rule.step.translation.y, std::log(scale_of(rule.step)),
             arg(rule.step.linear);
-        if (rule.kind == RuleKind::linear) values.tail<2>() << rule.turn_change, rule.spin_change;
+        if (rule.kind == RuleKind::linear) {
+            values.tail<7>() << rule.turn_change, rule.spin_change, rule.advance_change, std::log(rule.advance_factor),
+                rule.size_change, rule.seat.x, rule.seat.y;
+        }
         return values;
     }
     static Rule in(Rule rule, const Eigen::VectorXd& values) {
@@ -47,6 +50,10 @@ struct Parameters {
         if (rule.kind == RuleKind::linear) {
             rule.turn_change = values(4);
             rule.spin_change = values(5);
+            rule.advance_change = values(6);
+            rule.advance_factor = std::exp(values(7));
+            rule.size_change = values(8);
+            rule.seat = {values(9), values(10)};
         }
         return rule;
     }
@@ -130,6 +137,25 @@ Rule closed_rule(Rule rule, int n) {
     return rule;
 }
 
+/// What a linear rule has, may change: what it does not say stays unsaid.
+std::vector<int> free_parameters(const Rule& rule) {
+    if (rule.kind != RuleKind::linear) return {0, 1, 2, 3};
+    std::vector<int> free{0, 1, 3};
+    const bool straight = rule.advance_change != 0 || rule.advance_factor != 1 || rule.size_change != 0;
+    if (rule.size_change == 0 && rule.advance_factor == 1) free.push_back(2);
+    if (!straight || rule.turn_change != 0 || rule.spin_change != 0) free.insert(free.end(), {4, 5});
+    if (rule.advance_change != 0) free.push_back(6);
+    if (rule.advance_factor != 1) free.push_back(7);
+    if (rule.size_change != 0) free.push_back(8);
+    if (rule.seat.x != 0 || rule.seat.y != 0) free.insert(free.end(), {9, 10});
+    return free;
+}
+
+std::vector<int> without(std::vector<int> free, std::initializer_list<int> fixed) {
+    for (const int each : fixed) std::erase(free, each);
+    return free;
+}
+
 constexpr std::size_t most_fitted_items = 20'000;  // enough to fit 4 numbers; keeps the cost of a fit bounded
 
 /// Every so manieth chain, so that not more items than that take part.
@@ -151,10 +177,7 @@ Rule fitted(Rule rule, std::span<const Chain> chains, double radius) {
         constexpr int place_only[] = {0, 1};
         return gauss_newton(closed, some, radius, place_only);
     }
-    constexpr int step_only[] = {0, 1, 2, 3};
-    constexpr int with_changes[] = {0, 1, 2, 3, 4, 5};
-    if (rule.kind == RuleKind::linear) return gauss_newton(rule, some, radius, with_changes);
-    return gauss_newton(rule, some, radius, step_only);
+    return gauss_newton(rule, some, radius, free_parameters(rule));
 }
 
 double worst_deviation(const Rule& rule, std::span<const Chain> chains, double radius) {
@@ -187,9 +210,8 @@ Rule with_natural_values(Rule rule, std::span<const Chain> chains, double radius
     };
     if (rule.kind != RuleKind::ring) {
         // What is left free makes up for what is made natural.
-        const bool linear = rule.kind == RuleKind::linear;
-        const std::vector<int> all_but_scale = linear ? std::vector{0, 1, 3, 4, 5} : std::vector{0, 1, 3};
-        const std::vector<int> places = linear ? std::vector{0, 1, 4, 5} : std::vector{0, 1};
+        const std::vector<int> all_but_scale = without(free_parameters(rule), {2});
+        const std::vector<int> places = without(free_parameters(rule), {2, 3});
         Rule even = rule;
         even.step.linear = even.step.linear / scale_of(even.step);
         adopt(gauss_newton(even, some, radius, all_but_scale));

@@ -8,6 +8,7 @@
 #include "analyzer/bridge_gaps.h"
 #include "analyzer/close_rings.h"
 #include "analyzer/complete_runs.h"
+#include "analyzer/join_families.h"
 #include "analyzer/propose.h"
 #include "analyzer/settle_gaps.h"
 #include "analyzer/substitute.h"
@@ -196,7 +197,10 @@ class Search {
 }  // namespace
 
 SearchState generate_rules(SearchState state, const SearchOptions& options, const Progress& progress) {
-    return Search(std::move(state), options, progress).run();
+    SearchState found = Search(std::move(state), options, progress).run();
+    // Families may stand in rows again.
+    while (join_families(found)) found = Search(std::move(found), options, progress).run();
+    return found;
 }
 
 }  // namespace rinceau

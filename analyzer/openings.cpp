@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analyzer/branch_opening.h"
+#include "analyzer/open_with_progressions.h"
 #include "analyzer/open_with_spirals.h"
 #include "analyzer/symmetry_rules.h"
 
@@ -40,6 +41,7 @@ std::vector<Opening> openings_of(const SearchState& start) {
     all.push_back(opening("branching", [](const SearchState& state) { return open_with_branching(state); }));
     all.push_back(opening("self-similarity", [](const SearchState& state) { return open_with_self_similarity(state); }));
     all.push_back(opening("spirals", [](const SearchState& state) { return open_with_spirals(state); }));
+    all.push_back(opening("progressions", [](const SearchState& state) { return open_with_progressions(state); }));
     return all;
 }
 

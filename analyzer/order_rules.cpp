@@ -194,7 +194,8 @@ OrderedRules ordered_for_painting(RuleSet rules, const Overlaps& overlaps) {
     for (const auto& [part, part_votes] : votes.by_part) {
         const int rule = rules.parts[static_cast<std::size_t>(part)].rule;
         const RuleKind kind = rules.rules[static_cast<std::size_t>(rule)].kind;
-        if (kind == RuleKind::sequence || kind == RuleKind::ring || kind == RuleKind::spiral) {
+        if (kind == RuleKind::sequence || kind == RuleKind::ring || kind == RuleKind::spiral ||
+            kind == RuleKind::family) {
             forward[rule] += balance(part_votes);
         } else if (kind == RuleKind::group) {
             std::vector<int> key(rules.parts[static_cast<std::size_t>(part)].children.size());

@@ -108,6 +108,8 @@ WrittenRule write_rule(const WritingContext& context, int part) {
             return write_linear(context, part);
         case RuleKind::branch:
             return write_branch(context, part);
+        case RuleKind::family:
+            return write_family(context, part);
         case RuleKind::spiral:
             return write_spiral(context, part);
         case RuleKind::sequence:

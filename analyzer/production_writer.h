@@ -77,6 +77,9 @@ std::vector<Exception> write_exceptions(const WritingContext& context, int root,
 /// P(m) : m > 0 -> P(m-1) [+(a*m) f(c*m^p) *(s) A], about the pivot; P(m-1) stands last if the first member is the outermost
 WrittenRule write_spiral(const WritingContext& context, int part);
 
+/// Q(k) : k > 0 -> [P(k)] T Q(k-1); Q(k-1) stands first if the rows get longer
+WrittenRule write_family(const WritingContext& context, int part);
+
 /// The productions of a part's rule, by its kind.
 WrittenRule write_rule(const WritingContext& context, int part);
 

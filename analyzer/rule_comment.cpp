@@ -16,6 +16,8 @@ std::string kind_name(RuleKind kind) {
             return "ring";
         case RuleKind::linear:
             return "linear";
+        case RuleKind::family:
+            return "family";
         case RuleKind::spiral:
             return "spiral";
         case RuleKind::group:
@@ -225,6 +227,18 @@ std::string branch_comment(const RuleSet& rules, const Part& part, const std::ve
     return text + ": " + copies + " grow from each, " + levels;
 }
 
+bool bends(const Rule& rule) { return rule.turn_change != 0 || rule.spin_change != 0; }
+
+/// "a row of 9 A, each step longer than the one before"
+std::string linear_comment(const Rule& rule, const std::string& what) {
+    std::string text = bends(rule) ? "a curve of " + what + ", turning more and more" : "a row of " + what;
+    const bool longer = rule.advance_change > 0 || rule.advance_factor > 1;
+    if (rule.advance_change != 0) text += std::string(", each step ") + (longer ? "longer" : "shorter") + " by the same";
+    if (rule.advance_factor != 1) text += ", each step " + short_number(rule.advance_factor) + " times as long";
+    if (rule.size_change != 0) text += std::string(", each ") + (rule.size_change > 0 ? "larger" : "smaller") + " by the same";
+    return text;
+}
+
 }  // namespace
 
 std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<RuleUse>& uses) {
@@ -232,7 +246,9 @@ std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<
         case RuleKind::ring:
             return "Ring";
         case RuleKind::linear:
-            return "Curve";
+            return bends(rule_of(rules, part)) ? "Curve" : "Row";
+        case RuleKind::family:
+            return "Triangle";
         case RuleKind::spiral:
             return "Spiral";
         case RuleKind::group:
@@ -253,7 +269,12 @@ std::string rule_comment(const RuleSet& rules, const Part& part, const std::vect
     if (rule.kind == RuleKind::branch) return branch_comment(rules, part, names, use);
     const std::string& what = names[static_cast<std::size_t>(rule.repeated)];
     if (rule.kind == RuleKind::ring) return ring_comment(rules, part, what, use);
-    if (rule.kind == RuleKind::linear) return "a curve of " + count_text(use) + " " + what + ", turning more and more";
+    if (rule.kind == RuleKind::linear) return linear_comment(rule, count_text(use) + " " + what);
+    if (rule.kind == RuleKind::family) {
+        const int first = rules.parts[static_cast<std::size_t>(part.children[0].part)].count;
+        const int second = rules.parts[static_cast<std::size_t>(part.children[1].part)].count;
+        return count_text(use) + " rows of " + std::to_string(first) + ", " + std::to_string(second) + " and so on";
+    }
     if (rule.kind == RuleKind::spiral) {
         return "a spiral of " + count_text(use) + " " + what + ", each " +
                short_number(std::abs(degrees(rule.spiral.angle))) + " degrees on from the one before";

@@ -1,15 +1,19 @@
 #include "analyzer/rule_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lsystem/turtle_step.h"
 
 namespace rinceau {
 
+static constexpr double smallest_size = 1e-6;  // of a repetition, where a row shrinks to nothing
+
 Similarity linear_step(const Rule& rule, int k) {
     if (rule.kind != RuleKind::linear) return rule.step;
     TurtleStep step = to_turtle_step(rule.step);
     step.turn += k * rule.turn_change;
+    step.advance = (step.advance + k * rule.advance_change) * std::pow(rule.advance_factor, k);
     step.spin += k * rule.spin_change;
     return to_similarity(step);
 }
@@ -23,9 +27,12 @@ std::vector<Similarity> repetition_poses(const Rule& rule, int count) {
         }
         return poses;
     }
+    const bool linear = rule.kind == RuleKind::linear;
+    Similarity place = linear ? translate(rule.seat) : Similarity{};
     for (int k = 1; k < count; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        poses[at] = poses[at - 1] * linear_step(rule, k - 1);
+        place = place * linear_step(rule, k - 1);
+        poses[static_cast<std::size_t>(k)] =
+            linear ? place * scale_by(std::max(smallest_size, 1 + k * rule.size_change)) * translate(-rule.seat) : place;
     }
     return poses;
 }

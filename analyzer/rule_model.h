@@ -20,7 +20,8 @@ enum class RuleKind : std::uint8_t {
     linear,    ///< r1 with t(m) = t0 + tDelta m in alpha and beta (eq. 4)
     group,     ///< several parts in fixed positions (r1 and r2 for P(1), merged: section 5.7)
     branch,    ///< r3 and r4: R(m) -> members [T1 R(m-1)] .. [Tk R(m-1)], R(0) -> leaves
-    spiral     ///< members about a pivot, at distances that are powers of an index
+    spiral,     ///< members about a pivot, at distances that are powers of an index
+    family     ///< rows of one sequence rule, each with the same number of repetitions more or fewer: Q(k) -> [P(k)] T Q(k-1)
 };
 
 /// A member of a part, in the part's frame.
@@ -35,6 +36,10 @@ struct Rule {
     Similarity step;         ///< from one repetition to the next; linear: the first one
     double turn_change = 0;  ///< linear: what alpha and beta of the step grow by from one repetition to the next
     double spin_change = 0;
+    double advance_change = 0;  ///< linear: what its length grows by, in sizes of the first repetition ..
+    double advance_factor = 1;  ///< .. and is multiplied with each time
+    double size_change = 0;     ///< linear: repetition k is 1 + k * size_change times as large as the first
+    Point seat;                 ///< linear: of the repeated part's frame; steps lead from seat to seat, and sizes are about it
     std::vector<Child> members;  ///< group: relative to the first, whose pose is the identity; branch: what stands at every
                                  ///< node, in the node's frame, possibly nothing (a drawing that consists of small copies
                                  ///< of itself)
@@ -76,7 +81,7 @@ struct RuleSet {
 /// Poses of the repetitions in the frame of the first one: identity, T, T^2, .. (linear: products of changing steps).
 std::vector<Similarity> repetition_poses(const Rule& rule, int count);
 
-/// The step of a linear rule from repetition k to k + 1, k from 0.
+/// The step of a linear rule from the seat of repetition k to that of k + 1, k from 0, without the change of size.
 Similarity linear_step(const Rule& rule, int k);
 
 /// Is child k of the item's part where the part has it? Not if it is missing or something else stands in for it.
