@@ -47,15 +47,6 @@ TEST_CASE("counts may go by twos and need not end at one") {
     }
 }
 
-TEST_CASE("triangles stand in a row like anything else") {
-    const Analysis found =
-        found_again("axiom: U(3)\nU(n) : n > 0 -> [T(6)] +(90) f(50) -(90) U(n-1)\nT(m) : m > 0 -> [P(m)] f(7) T(m-1)\n");
-    INFO(to_text(found.grammar));
-    CHECK(found.report.check.passed);
-    CHECK(found.grammar.productions.size() == 3);
-    CHECK(axiom_symbols(found.grammar) == 1);
-}
-
 TEST_CASE("a triangle's count is one number: more rows make a larger triangle") {
     const Analysis found = found_again("axiom: T(7)\nT(m) : m > 0 -> [P(m)] f(7) T(m-1)\n");
     REQUIRE(axiom_symbols(found.grammar) == 1);
