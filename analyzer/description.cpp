@@ -1,5 +1,8 @@
 #include "analyzer/description.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "analyzer/colouring.h"
 #include "analyzer/fill_gaps.h"
 #include "analyzer/inline_groups.h"
@@ -13,6 +16,22 @@ namespace {
 // Shares of the diagonal. A picture 900 pixels wide has a diagonal of some 1100 pixels: the first is a tenth of a pixel.
 constexpr double exact_share = 8e-5;     // an element may miss its place by this before it gets an exception
 constexpr double digits_share = 1.5e-5;  // one number of the grammar may move what follows it by this
+
+/// How far one number of the grammar may move what follows it, a scene length: neither visible nor more than a part of what an
+/// element's place is measured to (grammar_bits).
+double digits_slack(const Drawing& drawing) {
+    constexpr double share_of_size = 5e-4;
+    constexpr double finest_share = 1e-7;
+    double log_size = 0, count = 0;
+    for (const Instance& instance : drawing.instancing.instances) {
+        const double size = scale_of(instance.pose);
+        if (!(size > 0)) continue;
+        log_size += std::log(size);
+        ++count;
+    }
+    const double size = count > 0 ? std::exp(log_size / count) : drawing.diagonal;
+    return std::clamp(share_of_size * size, finest_share * drawing.diagonal, digits_share * drawing.diagonal);
+}
 
 /// Bits, and for each production what it costs a reader to take in one more thing. (Two rules that fit loosely read better
 /// than four that fit to the last bit.)
@@ -54,7 +73,7 @@ std::optional<Description> describe(const Drawing& drawing, RuleSet rules, doubl
     description.ordered = ordered_for_painting(with_mirrored_halves(with_inlined_groups(with_filled_gaps(std::move(rules)))),
                                                drawing.overlaps);
     std::optional<WrittenGrammar> written =
-        with_colours(to_grammar(description.ordered, drawing.instancing, drawing.scene, digits_share * drawing.diagonal),
+        with_colours(to_grammar(description.ordered, drawing.instancing, drawing.scene, digits_slack(drawing)),
                      drawing.instancing);
     if (!written) return std::nullopt;
     description.written = std::move(*written);
