@@ -93,6 +93,7 @@ class PatternSearch {
             try_linear_with_jump();
             for (int period = 2; period <= std::min(longest_period, largest_m_ - 1); ++period) try_period(period);
             try_special_repetitions();
+            try_stretch();
             try_digits();
         }
         return std::move(best_);
@@ -368,6 +369,32 @@ class PatternSearch {
         std::map<Tint, Tint> table;
         for (auto& [m, tints] : found) table[m] = commonest(std::move(tints));
         offer_cases(table, column_.counter, [](const TintUse& use) -> Tint { return use.m; });
+    }
+
+    /// One tint up to some repetition, another one from there on, or up to a second one.
+    void try_stretch() {
+        std::map<Tint, std::vector<Tint>> found;
+        for (const TintUse& use : column_.uses) found[use.m].push_back(use.tint);
+        std::vector<std::pair<Tint, Tint>> changes;  // (last repetition before it, tint from there on)
+        Tint first = 0, before = 0;
+        for (auto& [m, tints] : found) {
+            const Tint tint = commonest(std::move(tints));
+            if (m == found.begin()->first) {
+                first = tint;
+            } else if (tint != before) {
+                changes.emplace_back(m - 1, tint);
+            }
+            before = tint;
+        }
+        constexpr std::size_t there_and_back = 2;
+        if (changes.empty() || changes.size() > there_and_back) return;
+        if (changes.size() == there_and_back && changes.back().second != first) return;
+        const std::string& m = column_.counter;
+        const Tint begin = changes.front().first, end = changes.size() > 1 ? changes.back().first : largest_m_;
+        const Tint step = changes.front().second - first;
+        const std::string within = changes.size() > 1 ? " && " + m + " <= " + std::to_string(end) : "";
+        const auto drawn = [&](const TintUse& use) { return use.m > begin && use.m <= end ? first + step : first; };
+        offer(plus_text(first, step, "(" + m + " > " + std::to_string(begin) + within + ")"), drawn);
     }
 
     /// Without any order: the tints as digits of a number.

@@ -39,7 +39,8 @@ std::string curve(const std::string& start, double angle, const std::vector<std:
 
 std::vector<Recipe> curves() {
     const std::vector<std::pair<std::string, Element>> line{{"A", stroke_ahead()}};
-    const auto of = [&](const char* name, const std::string& rules, int most = 1) { return Recipe{name, rules, line, 1, most, 1, true}; };
+    // The rule and its end.
+    const auto of = [&](const char* name, const std::string& rules, int most = 2) { return Recipe{name, rules, line, 1, most, 1, true}; };
     Recipe lost = of("koch_order_lost", curve("F(4)", 60, {{'F', "F+F--F+F"}}));
     lost.order_shows = false;
     return {
@@ -72,7 +73,7 @@ std::vector<Recipe> sets() {
         {"cantor_dust", squares(4, "x.x...x.x"), {{"A", square}}, 1, 2},
         {"carpet", squares(3, "xxxx.xxxx"), {{"A", square}}, 1, 2},
         {"triangles", "axiom: S(5)\nS(n) : n > 0 -> [S(n-1)] [-(30) f(2^(n-1)) +(30) S(n-1)] [+(30) f(2^(n-1)) -(30) S(n-1)]\nS(n) : n == 0 -> A",
-         {{"A", element(regular_polygon(3, 0.5), filled(clay))}}, 1, 1},
+         {{"A", element(regular_polygon(3, 0.5), filled(clay))}}, 1, 2},
     };
 }
 
