@@ -30,8 +30,11 @@ std::string growing_advance(const Rule& rule, double at_first, double unit, int 
 }
 
 void append_growing_turn(std::vector<ModuleTemplate>& body, double at_first, double change, int count, double slack) {
-    const std::string angle = growing(at_first, change, count, slack);
-    if (angle != "0") body.push_back(command("+", angle));
+    if (tidy(change, slack / count) == 0) {
+        append_turn(body, radians(at_first), radians(slack));
+    } else {
+        body.push_back(command("+", growing(at_first, change, count, slack)));
+    }
 }
 
 }  // namespace
