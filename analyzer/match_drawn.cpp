@@ -55,6 +55,14 @@ std::vector<Box> outline_boxes(const Scene& scene, int threads) {
     return boxes;
 }
 
+bool all_closed(const std::vector<Path>& paths) { return std::ranges::all_of(paths, &Path::closed); }
+
+/// A fill closes every sub-path.
+std::vector<Path> as_filled(std::vector<Path> paths) {
+    for (Path& path : paths) path.closed = true;
+    return paths;
+}
+
 class Matcher {
   public:
     Matcher(const Scene& scene, const Scene& drawn, double tolerance, int threads)
@@ -164,8 +172,10 @@ class Matcher {
     double deviation(std::size_t element, std::size_t drawn) const {
         const Element& a = scene_.elements[element];
         const Element& b = drawn_.elements[drawn];
-        const double found =
-            outline_deviation(a.paths, b.paths, {reach_, accuracy_in_tolerances * tolerance_, tolerance_ / 4});
+        const DeviationOptions options{reach_, accuracy_in_tolerances * tolerance_, tolerance_ / 4};
+        const bool as_drawn = paints_stroke(a.style) || (all_closed(a.paths) && all_closed(b.paths));
+        const double found = as_drawn ? outline_deviation(a.paths, b.paths, options)
+                                      : outline_deviation(as_filled(a.paths), as_filled(b.paths), options);
         const bool winding_counts = paints_fill(a.style) && a.style.fill_rule == FillRule::nonzero;
         return found < reach_ && winding_counts && !wind_alike(a.paths, b.paths, std::max(found, tolerance_ / 4)) ? reach_
                                                                                                                   : found;

@@ -73,6 +73,16 @@ TEST_CASE("a grammar passes against what it draws, however the drawing is writte
     CHECK_FALSE(again.summary.empty());
 }
 
+TEST_CASE("a fill without stroke is the same whether its outline is closed or left open") {
+    for (const bool stroke : {false, true}) {
+        const Path corner{.start = {0, 0}, .segments = {line_to({10, 0}), line_to({10, 10})}, .closed = true};
+        const Grammar grammar = known_grammar("axiom: A", {{"A", element({corner}, stroke ? stroked(blue, 0.5) : filled(red))}});
+        Scene open = drawn_scene(grammar);
+        open.elements.front().paths.front().closed = false;
+        CHECK(verify(grammar, open).passed == !stroke);
+    }
+}
+
 TEST_CASE("a moved node is measured to a hundred-thousandth of the diagonal") {
     const Grammar grammar = ring();
     for (const bool other_way : {false, true}) {
