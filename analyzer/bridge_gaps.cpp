@@ -319,18 +319,7 @@ class Bridge {
 }  // namespace
 
 void bridge_gaps(SearchState& state, GridCache& grids, Substitution& made) {
-    std::set<int> rules;
-    for (const int item : made.new_items) {
-        const int rule = state.part(state.item(item).part).rule;
-        if (state.rules.rules[static_cast<std::size_t>(rule)].kind == RuleKind::sequence) rules.insert(rule);
-    }
-    const auto before = static_cast<int>(state.rules.items.size());
-    std::set<int> touched(made.touched_parts.begin(), made.touched_parts.end());
-    for (const int rule : rules) Bridge(state, grids, rule).run(touched);
-    if (static_cast<int>(state.rules.items.size()) == before) return;
-    for (int i = before; i < static_cast<int>(state.rules.items.size()); ++i) made.new_items.push_back(i);
-    std::erase_if(made.new_items, [&](int i) { return !state.item(i).alive; });
-    made.touched_parts.assign(touched.begin(), touched.end());
+    improve_sequences(state, made, [&](int rule, std::set<int>& touched) { Bridge(state, grids, rule).run(touched); });
 }
 
 }  // namespace rinceau
