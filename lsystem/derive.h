@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ struct Module {
 
 struct DeriveOptions {
     int depth = -1;                          ///< steps of rewriting; -1 = until nothing is left to rewrite
-    std::uint64_t seed = 1;                  ///< for stochastic productions
+    std::optional<std::uint64_t> seed;       ///< for random numbers and stochastic productions; else the grammar's, else 1
     /// In the derived string and rewritten on the way, together; more -> LimitError naming the production that grew.
     std::uint64_t max_modules = 20'000'000;
     int max_recursion = 100'000;             ///< steps when depth = -1; more -> LimitError naming the production

@@ -1,7 +1,9 @@
 #pragma once
-// A parametric context-free L-system with turtle commands and drawn terminals (Stava et al. 2010, section 3).
+// A parametric L-system with turtle commands and drawn terminals (Stava et al. 2010, section 3); stochastic productions,
+// contexts, decompositions and homomorphisms as in L-Py and cpfg.
 // After analysis the grammar is the only truth: every edit is a function Grammar -> Grammar.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +21,21 @@ struct ModuleTemplate {
     SourcePlace place;  ///< where it stands in the text, if it was read from one
 };
 
-/// symbol(parameters) : condition -> successor.  No condition = always. The first production of a symbol whose condition
-/// holds is applied; without any, the module stays as it is (the implicit rule r0, eq. 2).
+/// When a production applies: in every step of rewriting; at once to what a step has made, again and again, without taking a
+/// step (decomposition); or only for drawing, to what is left at the end, without changing the derived string (homomorphism).
+enum class ProductionKind : unsigned char { rewriting, decomposition, homomorphism };
+
+/// A module that must stand beside the one that is rewritten: symbol(parameters), the parameters being names that the
+/// condition, the weight and the successor may use.
+struct ContextModule {
+    std::string symbol;
+    std::vector<std::string> parameters;
+    SourcePlace place;
+};
+
+/// left < symbol(parameters) > right : condition -> successor : weight.  No condition = always. The first production of a
+/// symbol that fits and whose condition holds is applied; if it has a weight, one of all those with weight that fit and
+/// hold is drawn, in proportion to the weights. Without any, the module stays as it is (the implicit rule r0, eq. 2).
 struct Production {
     std::string symbol;
     std::vector<std::string> parameters;
@@ -28,6 +43,10 @@ struct Production {
     std::vector<ModuleTemplate> successor;
     std::string comment;  ///< line(s) before the production, without '#'
     SourcePlace place;
+    ProductionKind kind = ProductionKind::rewriting;
+    std::vector<ContextModule> left_context;   ///< as written, the nearest last; only of rewriting productions
+    std::vector<ContextModule> right_context;  ///< as written, the nearest first; only of rewriting productions
+    std::optional<Expression> weight;          ///< not below 0
 };
 
 /// A symbol that is drawn. `paths` and the numbers of its style are in the terminal's own frame: heading = +y (up), origin at
@@ -68,6 +87,15 @@ struct Exception {
     SourcePlace place;
 };
 
+/// use "vine.lsys" as vine: the constants, productions, styles and terminals of another file, with `prefix` and '_' before
+/// their names if a prefix is given. Resolved when the grammar is read for drawing, kept as it is when it is edited.
+struct Use {
+    std::string file;    ///< relative to the folder of the grammar that says so
+    std::string prefix;  ///< empty = names as they are
+    std::string comment;
+    SourcePlace place;
+};
+
 struct Grammar {
     std::string title;
     Box canvas;         ///< scene space (y up) of the picture
@@ -79,6 +107,9 @@ struct Grammar {
     std::vector<Exception> exceptions;
     std::vector<NumberedStyle> styles;
     std::vector<Terminal> terminals;
+    std::vector<Use> uses;
+    std::optional<std::uint64_t> seed;  ///< for random numbers and stochastic productions, unless DeriveOptions has one
+    std::vector<std::string> ignored;   ///< symbols that contexts look past; commands are always looked past
 };
 
 }  // namespace rinceau

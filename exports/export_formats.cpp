@@ -1,0 +1,25 @@
+#include "exports/export_formats.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exports/svg_clones.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr std::array formats{
+    ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
+};
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() { return formats; }
+
+const ExportFormat* find_export_format(std::string_view name) {
+    const auto* found = std::ranges::find(formats, name, &ExportFormat::name);
+    return found == formats.end() ? nullptr : found;
+}
+
+}  // namespace rinceau
