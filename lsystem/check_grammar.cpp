@@ -37,6 +37,16 @@ struct ExceptionWatch {
     void exception(int index) { met[static_cast<std::size_t>(index)] = true; }
 };
 
+/// What its condition, weight and successor may use.
+std::vector<std::string> names_in(const Production& production) {
+    std::vector<std::string> names = production.parameters;
+    for (const auto* context : {&production.left_context, &production.right_context}) {
+        for (const ContextModule& module : *context)
+            names.insert(names.end(), module.parameters.begin(), module.parameters.end());
+    }
+    return names;
+}
+
 class GrammarChecker {
   public:
     GrammarChecker(std::string_view text, const std::string& file_name) : file_name_(file_name) {
@@ -109,7 +119,7 @@ class GrammarChecker {
     }
 
     void check_production(const Production& production) {
-        scope_.parameters = production.parameters;
+        scope_.parameters = names_in(production);
         check_string_here(production.successor);
         bool always = !production.condition;
         if (production.condition) {
@@ -133,8 +143,7 @@ class GrammarChecker {
         std::optional<int>& unconditional = found->second;
         if (unconditional) {
             warn(production.place, "expected a production that can apply, found one that never does: the one in line " +
-                                       std::to_string(*unconditional) +
-                                       " always comes first; give that one a condition");
+                                       std::to_string(*unconditional) + " always comes first; give that one a condition");
             return;
         }
         if (!production.condition) unconditional = production.place.line;
@@ -173,7 +182,8 @@ class GrammarChecker {
             ExceptionWatch watch{std::vector<bool>(grammar().exceptions.size())};
             stream_modules(compiled, {}, deadline, false, watch);
             report_unused_exceptions(watch.met);
-            visit_placements(grammar(), {}, [](const Placement&) {}, deadline);
+            visit_placements(
+                grammar(), {}, [](const Placement&) {}, deadline);
         } catch (const InputError& error) {
             warnings_.push_back(warning_of(error));
         } catch (const LimitError& error) {

@@ -46,22 +46,22 @@ class StringChecker {
 
     void warn(const ModuleTemplate& module, const std::string& message) { warnings_.push_back({module.place, message}); }
 
-    void expect_count(const ModuleTemplate& module, std::size_t count, const std::string& why) {
-        if (module.arguments.size() == count) return;
-        warn(module, "expected " + std::to_string(count) + " argument(s) of " + module.symbol + why + ", found " +
+    void warn_of_count(const ModuleTemplate& module, const std::string& count, const std::string& why) {
+        warn(module, "expected " + count + " argument(s) of " + module.symbol + why + ", found " +
                          std::to_string(module.arguments.size()));
     }
 
     void check_symbol(const ModuleTemplate& module) {
         if (const TurtleCommandInfo* command = find_turtle_command(module.symbol)) {
-            expect_count(module, static_cast<std::size_t>(command->arity), " (" + std::string(command->help) + ")");
+            if (takes(*command, module.arguments.size())) return;
+            warn_of_count(module, arity_text(*command), " (" + std::string(command->help) + ")");
             return;
         }
         const auto arities = names_.arities.find(module.symbol);
         if (arities != names_.arities.end()) {
             const std::vector<std::size_t>& known = arities->second;
             const bool fits = std::ranges::find(known, module.arguments.size()) != known.end();
-            if (!fits) expect_count(module, known.front(), ", as in its production");
+            if (!fits) warn_of_count(module, std::to_string(known.front()), ", as in its production");
         } else if (!names_.terminals.contains(module.symbol)) {
             warn(module, "expected a command, a production's symbol or a terminal, found the unknown symbol '" +
                              module.symbol + "': add a production '" + module.symbol + " -> ..' or 'terminal " +

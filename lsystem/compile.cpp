@@ -24,6 +24,18 @@ std::unordered_map<std::string, double> evaluate_constants(const Grammar& gramma
     return scope.constants;
 }
 
+void expect_derivable(const Grammar& grammar) {
+    const auto refuse = [](const SourcePlace& place, const std::string& what) {
+        throw InputError(place, "expected a grammar without " + what + ", which cannot be derived");
+    };
+    if (!grammar.uses.empty()) refuse(grammar.uses.front().place, "'use'");
+    for (const Production& production : grammar.productions) {
+        if (production.kind != ProductionKind::rewriting) refuse(production.place, "decompositions and homomorphisms");
+        if (!production.left_context.empty() || !production.right_context.empty()) refuse(production.place, "contexts");
+        if (production.weight) refuse(production.place, "weights");
+    }
+}
+
 class Compiler {
   public:
     explicit Compiler(const Grammar& grammar)
@@ -31,6 +43,7 @@ class Compiler {
 
     CompiledGrammar compile() {
         const Grammar& grammar = *result_.grammar;
+        expect_derivable(grammar);
         scope_.constants = evaluate_constants(grammar);
         add_symbols(grammar);
         for (const Production& production : grammar.productions) add_production(production);
@@ -99,9 +112,12 @@ class Compiler {
 
     void check_arity(const ModuleTemplate& module) const {
         const TurtleCommandInfo* command = find_turtle_command(module.symbol);
-        if (command != nullptr && static_cast<int>(module.arguments.size()) != command->arity) {
-            throw InputError(module.place, "expected " + std::to_string(command->arity) + " argument(s) of the command " +
+        if (command != nullptr && !takes(*command, module.arguments.size())) {
+            throw InputError(module.place, "expected " + arity_text(*command) + " argument(s) of the command " +
                                                module.symbol + ", found " + std::to_string(module.arguments.size()));
+        }
+        if (command != nullptr && command->may_be_bare) {
+            throw InputError(module.place, "expected a grammar without " + module.symbol + ", which cannot be drawn");
         }
     }
 

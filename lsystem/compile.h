@@ -16,7 +16,7 @@
 namespace rinceau {
 
 /// Symbols below this are the turtle's commands, in the order of TurtleCommand.
-constexpr Symbol command_count = 9;
+constexpr Symbol command_count = 11;
 
 struct CompiledModule {
     Symbol symbol = 0;

@@ -10,7 +10,8 @@
 namespace rinceau {
 
 /// Operators by rising precedence: || ; && ; == != < <= > >= ; + - ; * / % ; unary - ! ; ^ (power, right to left); functions
-/// sin cos tan asin acos atan atan2 (degrees), sqrt exp log abs floor ceil round sign min max pow, constants pi and e.
+/// sin cos tan asin acos atan atan2 (degrees), sqrt exp log abs floor ceil round sign min max pow if hypot log10 trunc clamp, random
+/// uniform(a, b) and normal(mean, deviation), constants pi and e.
 /// A value: a tree in postfix order.
 struct Expression {
     enum class Op : unsigned char {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/angle.h"
@@ -27,7 +28,18 @@ namespace {
 
 using Numbers = std::span<const double>;
 
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
 double sign_of(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+double choice(double condition, double yes, double no) {
+    if (std::isnan(condition)) return undefined;
+    return condition != 0 ? yes : no;
+}
+
+double clamped(double value, double low, double high) {
+    return low <= high ? std::min(std::max(value, low), high) : undefined;
+}
 
 constexpr std::array functions{
     ExpressionFunction{"sin", 1, 1, [](Numbers n) { return sine_of_degrees(n[0]); }},
@@ -48,6 +60,13 @@ constexpr std::array functions{
     ExpressionFunction{"min", 1, max_function_arguments, [](Numbers n) { return *std::min_element(n.begin(), n.end()); }},
     ExpressionFunction{"max", 1, max_function_arguments, [](Numbers n) { return *std::max_element(n.begin(), n.end()); }},
     ExpressionFunction{"pow", 2, 2, [](Numbers n) { return std::pow(n[0], n[1]); }},
+    ExpressionFunction{"if", 3, 3, [](Numbers n) { return choice(n[0], n[1], n[2]); }},
+    ExpressionFunction{"hypot", 2, 2, [](Numbers n) { return std::hypot(n[0], n[1]); }},
+    ExpressionFunction{"log10", 1, 1, [](Numbers n) { return std::log10(n[0]); }},
+    ExpressionFunction{"trunc", 1, 1, [](Numbers n) { return std::trunc(n[0]); }},
+    ExpressionFunction{"clamp", 3, 3, [](Numbers n) { return clamped(n[0], n[1], n[2]); }},
+    ExpressionFunction{"uniform", 2, 2, nullptr},
+    ExpressionFunction{"normal", 2, 2, nullptr},
 };
 
 }  // namespace

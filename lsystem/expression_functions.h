@@ -7,7 +7,8 @@
 
 namespace rinceau {
 
-/// One function. `at_most` arguments; `evaluate` gets between at_least and at_most numbers.
+/// One function. `at_most` arguments; `evaluate` gets between at_least and at_most numbers. It is nullptr for a function
+/// whose result is drawn at random.
 struct ExpressionFunction {
     std::string_view name;
     int at_least;

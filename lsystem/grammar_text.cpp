@@ -3,6 +3,7 @@
 #include <array>
 
 #include "lsystem/number_text.h"
+#include "lsystem/parse_production.h"
 #include "lsystem/parse_statement.h"
 #include "lsystem/statement.h"
 #include "lsystem/style_text.h"
@@ -114,16 +115,47 @@ std::string canvas_text(const Grammar& grammar) {
     return text + ending;
 }
 
-std::string production_text(const Production& production) {
-    std::string text = production.symbol;
-    for (std::size_t i = 0; i < production.parameters.size(); ++i) {
+std::string predecessor_text(const std::string& symbol, const std::vector<std::string>& parameters) {
+    std::string text = symbol;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
         text += i == 0 ? "(" : ", ";
-        text += production.parameters[i];
+        text += parameters[i];
     }
-    if (!production.parameters.empty()) text += ')';
-    if (production.condition) text += " : " + to_text(*production.condition);
-    text += " ->";
-    return text + modules_text(production.successor, text.size()) + '\n';
+    return parameters.empty() ? text : text + ')';
+}
+
+std::string context_text(const std::vector<ContextModule>& context) {
+    std::string text;
+    for (const ContextModule& module : context) text += predecessor_text(module.symbol, module.parameters) + ' ';
+    return text;
+}
+
+std::string kind_text(ProductionKind kind) {
+    if (kind == ProductionKind::rewriting) return {};
+    return std::string(kind == ProductionKind::decomposition ? decomposition_word : homomorphism_word) + ' ';
+}
+
+std::string production_text(const Production& production) {
+    std::string text = kind_text(production.kind);
+    if (!production.left_context.empty()) text += context_text(production.left_context) + "< ";
+    text += predecessor_text(production.symbol, production.parameters) + ' ';
+    if (!production.right_context.empty()) text += "> " + context_text(production.right_context);
+    if (production.condition) text += ": " + to_text(*production.condition) + ' ';
+    text += "->";
+    text += modules_text(production.successor, text.size());
+    if (production.weight) text += " : " + to_text(*production.weight);
+    return text + '\n';
+}
+
+std::string use_text(const Use& use) {
+    return "use " + quoted(use.file) + (use.prefix.empty() ? "" : " as " + use.prefix) + '\n';
+}
+
+std::string ignore_text(const std::vector<std::string>& symbols) {
+    if (symbols.empty()) return {};
+    std::string text = "ignore";
+    for (const std::string& symbol : symbols) text += ' ' + symbol;
+    return text + '\n';
 }
 
 std::string exception_text(const Exception& exception) {
@@ -187,13 +219,18 @@ std::string to_text(const Grammar& grammar) {
     for (const std::string& line : grammar.comments) append_comment(comments, line);
     append_section(text, comments);
     append_section(text, canvas_text(grammar));
+    if (grammar.seed) append_section(text, "seed " + std::to_string(*grammar.seed) + '\n');
     std::string section;
+    for (const Use& use : grammar.uses) section += commented(use.comment) + use_text(use);
+    append_section(text, section);
+    section.clear();
     for (const Constant& constant : grammar.constants) {
         section += commented(constant.comment) + "define " + constant.name + " = " + to_text(constant.value) + '\n';
     }
     append_section(text, section);
     constexpr std::string_view axiom = "axiom:";
     if (!grammar.axiom.empty()) append_section(text, std::string(axiom) + modules_text(grammar.axiom, axiom.size()) + '\n');
+    append_section(text, ignore_text(grammar.ignored));
     section.clear();
     for (const Production& production : grammar.productions)
         section += commented(production.comment) + production_text(production);

@@ -55,6 +55,9 @@ class Turtle {
             case TurtleCommand::layer:
                 raise(module, argument);
                 break;
+            case TurtleCommand::fill:
+            case TurtleCommand::stroke:
+                break;
         }
     }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lsystem/number_text.h"
+#include "lsystem/parse_production.h"
 #include "lsystem/scanner.h"
 #include "lsystem/style_text.h"
 #include "lsystem/turtle_commands.h"
@@ -165,33 +166,42 @@ void parse_terminal(Scanner& scanner, ParseState& state) {
     state.grammar.terminals.push_back(std::move(terminal));
 }
 
-void read_parameters(Scanner& scanner, Production& production) {
-    if (!scanner.take("(") || scanner.take(")")) return;
-    do {
-        const SourcePlace place = scanner.place();
-        std::string parameter = scanner.name("the name of a parameter");
-        if (std::ranges::find(production.parameters, parameter) != production.parameters.end()) {
-            throw InputError(place, "expected different names of parameters, found '" + parameter + "' twice");
-        }
-        production.parameters.push_back(std::move(parameter));
-    } while (scanner.take(","));
-    scanner.expect(")");
+void parse_production_statement(Scanner& scanner, ParseState& state) {
+    state.grammar.productions.push_back(parse_production(scanner));
 }
 
-void parse_production(Scanner& scanner, ParseState& state) {
-    Production production;
-    production.place = scanner.place();
-    production.symbol = scanner.name("a statement: a production such as A -> .., or axiom, define, style, terminal, except");
-    if (find_turtle_command(production.symbol) != nullptr) {
-        throw InputError(production.place,
-                         "expected a symbol of your own before ->, found the command '" + production.symbol + "'");
-    }
-    read_parameters(scanner, production);
-    if (scanner.take(":")) production.condition = scanner.condition();
-    scanner.expect("->");
-    production.successor = scanner.modules();
-    production.comment = scanner.statement().comment;
-    state.grammar.productions.push_back(std::move(production));
+void parse_seed(Scanner& scanner, ParseState& state) {
+    once(state, "seed", scanner.statement().place);
+    state.grammar.seed = scanner.large_integer("a whole number from 0 to 18446744073709551615");
+    scanner.expect_end("the end of the line after the seed");
+    keep_comment(scanner.statement(), state.grammar);
+}
+
+/// use "FILE" | use "FILE" as NAME
+void parse_use(Scanner& scanner, ParseState& state) {
+    Use use;
+    use.place = scanner.place();
+    use.file = scanner.quoted();
+    if (use.file.empty()) throw InputError(use.place, "expected the name of a grammar's file, found an empty one");
+    if (scanner.peek_name() == "as" && scanner.take("as"))
+        use.prefix = scanner.name("a name that is put before those of the file, as in 'as vine'");
+    scanner.expect_end("'as' and a name, or the end of the line");
+    use.comment = scanner.statement().comment;
+    state.grammar.uses.push_back(std::move(use));
+}
+
+void parse_ignore(Scanner& scanner, ParseState& state) {
+    do {
+        const SourcePlace place = scanner.place();
+        const std::string symbol = scanner.name("a symbol that contexts look past (commands are looked past always)");
+        if (find_turtle_command(symbol) != nullptr) {
+            throw InputError(place, "expected a symbol of your own, found the command '" + symbol +
+                                        "': contexts look past commands always, leave it out");
+        }
+        once(state, "ignore " + symbol, place);
+        state.grammar.ignored.push_back(symbol);
+    } while (!scanner.at_end());
+    keep_comment(scanner.statement(), state.grammar);
 }
 
 struct StatementKind {
@@ -200,15 +210,24 @@ struct StatementKind {
 };
 
 constexpr std::array kinds{
-    StatementKind{"lsystem", parse_version},      StatementKind{"title", parse_title},
-    StatementKind{"canvas", parse_canvas},        StatementKind{"define", parse_define},
-    StatementKind{"axiom", parse_axiom},          StatementKind{"except", parse_exception},
-    StatementKind{"style", parse_numbered_style}, StatementKind{"terminal", parse_terminal},
+    StatementKind{"lsystem", parse_version},
+    StatementKind{"title", parse_title},
+    StatementKind{"canvas", parse_canvas},
+    StatementKind{"define", parse_define},
+    StatementKind{"axiom", parse_axiom},
+    StatementKind{"except", parse_exception},
+    StatementKind{"style", parse_numbered_style},
+    StatementKind{"terminal", parse_terminal},
+    StatementKind{"seed", parse_seed},
+    StatementKind{"use", parse_use},
+    StatementKind{"ignore", parse_ignore},
 };
 
 constexpr auto words_of_kinds() {
-    std::array<std::string_view, kinds.size()> words;
+    std::array<std::string_view, kinds.size() + 2> words;
     for (std::size_t i = 0; i < kinds.size(); ++i) words[i] = kinds[i].word;
+    words[kinds.size()] = decomposition_word;
+    words[kinds.size() + 1] = homomorphism_word;
     return words;
 }
 constexpr std::array words = words_of_kinds();
@@ -235,7 +254,7 @@ void parse_statement(const Statement& statement, ParseState& state) {
     if (statement.has_verbatim && (kind == kinds.end() || kind->word != "terminal")) {
         throw InputError(statement.place, "expected a fragment <<< in a terminal only");
     }
-    if (kind == kinds.end()) return parse_production(scanner, state);
+    if (kind == kinds.end()) return parse_production_statement(scanner, state);
     scanner.expect(kind->word);
     kind->parse(scanner, state);
 }

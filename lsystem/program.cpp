@@ -89,6 +89,10 @@ Instruction compile_node(const Expression::Node& node, const Scope& scope, const
             if (function == nullptr || node.arguments < function->at_least || node.arguments > function->at_most) {
                 throw InputError(place, "expected a known function with its number of arguments, found '" + node.name + "'");
             }
+            if (function->evaluate == nullptr) {
+                throw InputError(place,
+                                 "expected a function without chance, found '" + node.name + "', which cannot be drawn");
+            }
             return {Instruction::Op::call, Op::call, node.arguments, 0, function->evaluate};
         }
         default:

@@ -107,6 +107,23 @@ int Scanner::integer(std::string_view what) {
     return value;
 }
 
+std::uint64_t Scanner::large_integer(std::string_view what) {
+    skip_blanks();
+    std::uint64_t value = 0;
+    const auto result = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    if (result.ec != std::errc{}) fail(what);
+    at_ = static_cast<std::size_t>(result.ptr - text_.data());
+    return value;
+}
+
+std::string_view Scanner::peek_name() {
+    skip_blanks();
+    if (at_ >= text_.size() || !starts_name(text_[at_])) return {};
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && continues_name(text_[end])) ++end;
+    return text_.substr(at_, end - at_);
+}
+
 std::string_view Scanner::raw_quoted(std::size_t& start) {
     expect("\"");
     start = at_;
@@ -179,7 +196,7 @@ ModuleTemplate Scanner::module() {
     } else if (find_turtle_command(text_.substr(at_, 1)) != nullptr && !peek("->")) {
         result.symbol.assign(1, text_[at_++]);
     } else {
-        fail("a symbol or one of the commands + - f * | [ ] ; z");
+        fail("a symbol or one of the commands + - f * | [ ] ; z fill stroke");
     }
     if (!take("(")) return result;
     if (take(")")) return result;
@@ -190,9 +207,9 @@ ModuleTemplate Scanner::module() {
     return result;
 }
 
-std::vector<ModuleTemplate> Scanner::modules() {
+std::vector<ModuleTemplate> Scanner::modules(std::string_view stops) {
     std::vector<ModuleTemplate> result;
-    while (!at_end()) result.push_back(module());
+    while (!at_end() && stops.find(text_[at_]) == std::string_view::npos) result.push_back(module());
     return result;
 }
 

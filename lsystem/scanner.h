@@ -1,6 +1,7 @@
 #pragma once
 // Reads a statement of a grammar's text piece by piece. Internal to the folder.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ class Scanner {
     std::string word();
     double number();
     int integer(std::string_view what);
+    std::uint64_t large_integer(std::string_view what);
+    /// A name that stands there next, without passing it; empty if there is none.
+    std::string_view peek_name();
     /// "..." with the escapes \" \\ \n \r \t; a line end and the blanks around it are one blank.
     std::string quoted();
     /// "..." as it stands; `start` becomes the place in the statement of its first character.
@@ -35,8 +39,8 @@ class Scanner {
     Expression expression_until(std::string_view stops);
     /// An expression up to "->".
     Expression condition();
-    /// Modules up to the end of the statement.
-    std::vector<ModuleTemplate> modules();
+    /// Modules up to one of `stops`, or else to the end of the statement.
+    std::vector<ModuleTemplate> modules(std::string_view stops = {});
 
     std::size_t position();
     SourcePlace place();

@@ -17,9 +17,17 @@ constexpr std::array commands{
     TurtleCommandInfo{TurtleCommand::pop, "]", 0, "return to the state at the matching ["},
     TurtleCommandInfo{TurtleCommand::style, ";", 1, "paint following terminals in the style of that number; 0 = their own"},
     TurtleCommandInfo{TurtleCommand::layer, "z", 1, "raise following terminals by that many layers"},
+    TurtleCommandInfo{TurtleCommand::fill, "fill", 3,
+                      "fill following terminals with that red, green, blue; none = their own", true},
+    TurtleCommandInfo{TurtleCommand::stroke, "stroke", 3,
+                      "stroke following terminals with that red, green, blue; none = their own", true},
 };
 
 }  // namespace
+
+std::string arity_text(const TurtleCommandInfo& command) {
+    return std::to_string(command.arity) + (command.may_be_bare ? " or 0" : "");
+}
 
 std::span<const TurtleCommandInfo> turtle_commands() { return commands; }
 

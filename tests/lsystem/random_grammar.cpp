@@ -52,8 +52,8 @@ std::string random_comment(Random& random) {
 }
 
 std::vector<ModuleTemplate> random_string(Random& random, const std::vector<std::string>& names) {
-    static constexpr std::array<std::string_view, 14> symbols{"+", "-", "f", "*",  "|",        "[", "]",
-                                                              ";", "z", "A", "P1", "Window_2", "B", "ff"};
+    static constexpr std::array<std::string_view, 16> symbols{"+", "-", "f", "*",  "|",        "[", "]",  "fill",
+                                                              ";", "z", "A", "P1", "Window_2", "B", "ff", "stroke"};
     std::vector<ModuleTemplate> string(random.below(30));
     for (ModuleTemplate& module : string) {
         module.symbol = one_of(random, symbols);
@@ -178,7 +178,7 @@ bool same_styles(const Style& a, const Style& b) {
 }  // namespace
 
 Expression random_expression(Random& random, const std::vector<std::string>& names, int depth) {
-    const std::uint32_t kind = depth <= 0 ? random.below(2) : random.below(6);
+    const std::uint32_t kind = depth <= 0 ? random.below(2) : random.below(8);
     if (kind == 0 || (kind == 1 && names.empty())) return number_expression(random_number(random));
     if (kind == 1) return name_expression(names[random.below(static_cast<std::uint32_t>(names.size()))]);
     Expression result = random_expression(random, names, depth - 1);
@@ -186,7 +186,12 @@ Expression random_expression(Random& random, const std::vector<std::string>& nam
         result.postfix.push_back({one_of(random, std::array{Op::negate, Op::logical_not}), 0, {}, 0});
     } else if (kind == 3) {
         append(result, random_expression(random, names, depth - 1));
-        result.postfix.push_back({Op::call, 0, one_of(random, std::array<std::string, 3>{"min", "pow", "atan2"}), 2});
+        static const std::array<std::string, 6> functions{"min", "pow", "atan2", "hypot", "uniform", "normal"};
+        result.postfix.push_back({Op::call, 0, one_of(random, functions), 2});
+    } else if (kind == 4) {
+        append(result, random_expression(random, names, depth - 1));
+        append(result, random_expression(random, names, depth - 1));
+        result.postfix.push_back({Op::call, 0, one_of(random, std::array<std::string, 3>{"if", "clamp", "max"}), 3});
     } else {
         append(result, random_expression(random, names, depth - 1));
         result.postfix.push_back(
@@ -200,6 +205,65 @@ Expression random_expression(Random& random, const std::vector<std::string>& nam
     return result;
 }
 
+namespace {
+
+std::string random_symbol(Random& random) { return one_of(random, std::array<std::string, 3>{"A", "P1", "Window_2"}); }
+
+/// Names that are new in `names`, to which they are added.
+std::vector<std::string> random_parameters(Random& random, std::vector<std::string>& names) {
+    std::vector<std::string> parameters;
+    for (std::uint32_t k = random.below(3); k > 0; --k) {
+        parameters.push_back("p" + std::to_string(names.size()));
+        names.push_back(parameters.back());
+    }
+    return parameters;
+}
+
+std::vector<ContextModule> random_context(Random& random, std::vector<std::string>& names) {
+    std::vector<ContextModule> context(random.below(3));
+    for (ContextModule& module : context) {
+        module.symbol = random_symbol(random);
+        module.parameters = random_parameters(random, names);
+    }
+    return context;
+}
+
+Production random_production(Random& random, std::vector<std::string> names) {
+    Production production;
+    production.kind = one_of(random, std::array{ProductionKind::rewriting, ProductionKind::rewriting,
+                                                ProductionKind::decomposition, ProductionKind::homomorphism});
+    production.symbol = random_symbol(random);
+    production.parameters = random_parameters(random, names);
+    if (production.kind == ProductionKind::rewriting && random.below(2) == 0) {
+        production.left_context = random_context(random, names);
+        production.right_context = random_context(random, names);
+    }
+    if (random.below(2) == 0) production.condition = random_expression(random, names, 3);
+    if (random.below(3) == 0) production.weight = random_expression(random, names, 2);
+    production.successor = random_string(random, names);
+    production.comment = random_comment(random);
+    return production;
+}
+
+bool same_contexts(const std::vector<ContextModule>& a, const std::vector<ContextModule>& b) {
+    return std::ranges::equal(a, b, [](const ContextModule& x, const ContextModule& y) {
+        return x.symbol == y.symbol && x.parameters == y.parameters;
+    });
+}
+
+bool same_productions(const Production& a, const Production& b) {
+    return a.symbol == b.symbol && a.parameters == b.parameters && a.condition == b.condition && a.weight == b.weight &&
+           a.kind == b.kind && same_contexts(a.left_context, b.left_context) &&
+           same_contexts(a.right_context, b.right_context) && same_strings(a.successor, b.successor) &&
+           a.comment == b.comment;
+}
+
+bool same_uses(const Use& a, const Use& b) {
+    return a.file == b.file && a.prefix == b.prefix && a.comment == b.comment;
+}
+
+}  // namespace
+
 Grammar random_grammar(Random& random) {
     Grammar grammar;
     grammar.title = random_text(random);
@@ -207,6 +271,11 @@ Grammar random_grammar(Random& random) {
     grammar.sized = random.below(3) > 0;
     for (std::uint32_t i = random.below(3); i > 0; --i) grammar.comments.push_back(random_comment(random).substr(0, 8));
     for (std::string& line : grammar.comments) std::ranges::replace(line, '\n', ' ');
+    if (random.below(3) == 0) grammar.seed = (std::uint64_t{random.below(1U << 31U)} << 33U) + random.below(100);
+    for (std::uint32_t i = random.below(3); i > 0; --i) {
+        grammar.uses.push_back({'x' + random_text(random), random.below(2) == 0 ? "" : "vine_2", random_comment(random)});
+    }
+    if (random.below(3) == 0) grammar.ignored = {"P1", "Unknown"};
     std::vector<std::string> names;
     for (std::uint32_t i = random.below(3); i > 0; --i) {
         const std::string name = "c" + std::to_string(i);
@@ -216,14 +285,7 @@ Grammar random_grammar(Random& random) {
     grammar.axiom = random_string(random, names);
     for (std::uint32_t i = random.below(4); i > 0; --i) {
         Production production;
-        production.symbol = one_of(random, std::array<std::string, 3>{"A", "P1", "Window_2"});
-        for (std::uint32_t k = random.below(3); k > 0; --k) production.parameters.push_back("p" + std::to_string(k));
-        std::vector<std::string> local = names;
-        local.insert(local.end(), production.parameters.begin(), production.parameters.end());
-        if (random.below(2) == 0) production.condition = random_expression(random, local, 3);
-        production.successor = random_string(random, local);
-        production.comment = random_comment(random);
-        grammar.productions.push_back(std::move(production));
+        grammar.productions.push_back(random_production(random, names));
     }
     for (std::uint32_t i = random.below(3); i > 0; --i) {
         Exception exception{{static_cast<int>(1 + random.below(9))}, random_string(random, names), random_comment(random)};
@@ -244,12 +306,8 @@ bool same_grammar(const Grammar& a, const Grammar& b) {
                               [](const Constant& x, const Constant& y) {
                                   return x.name == y.name && x.value == y.value && x.comment == y.comment;
                               }) &&
-           std::ranges::equal(a.productions, b.productions,
-                              [](const Production& x, const Production& y) {
-                                  return x.symbol == y.symbol && x.parameters == y.parameters &&
-                                         x.condition == y.condition && same_strings(x.successor, y.successor) &&
-                                         x.comment == y.comment;
-                              }) &&
+           a.seed == b.seed && a.ignored == b.ignored && std::ranges::equal(a.uses, b.uses, same_uses) &&
+           std::ranges::equal(a.productions, b.productions, same_productions) &&
            std::ranges::equal(a.exceptions, b.exceptions,
                               [](const Exception& x, const Exception& y) {
                                   return x.address == y.address && same_strings(x.successor, y.successor) &&

@@ -1,0 +1,18 @@
+#pragma once
+// A production of a grammar's text. Internal to the folder.
+
+#include <string_view>
+
+#include "lsystem/grammar.h"
+#include "lsystem/scanner.h"
+
+namespace rinceau {
+
+constexpr std::string_view decomposition_word = "decomposition";
+constexpr std::string_view homomorphism_word = "homomorphism";
+
+/// [decomposition | homomorphism] [left <] symbol(parameters) [> right] [: condition] -> modules [: weight].
+/// Throws InputError.
+Production parse_production(Scanner& scanner);
+
+}  // namespace rinceau
