@@ -10,7 +10,7 @@
 namespace rinceau {
 
 struct ExportOptions {
-    DeriveOptions derive;       ///< depth and seed, where the export has to derive
+    DeriveOptions derive;          ///< depth and seed, where the export has to derive
     std::string name = "rinceau";  ///< of the whole, for formats that name things: letters, digits, underscores
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "exports/json_placements.h"
 #include "exports/svg_clones.h"
 
 namespace rinceau {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::array formats{
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
+    ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 
 }  // namespace

@@ -61,6 +61,9 @@ class DerivationLimits {
 /// Sink: void command(const CompiledModule&, double argument);
 ///       void leaf(const CompiledModule&, std::span<const double> arguments, const StreamPlace&);
 ///       void exception(int index), called when an exception takes the place of a module.
+///       If it has them: void opened(const CompiledModule&, std::span<const double> arguments, int generation), called when
+///       a module is replaced by what a production or an exception makes of it (an exception: without arguments), with the
+///       steps that its modules have taken, and void closed() when all of that has been passed.
 /// tracked: addresses and trails are kept and exceptions apply. A grammar with exceptions needs it.
 template <class Sink, bool tracked>
 class ModuleStream {
@@ -157,6 +160,9 @@ class ModuleStream {
     }
 
     void close() {
+        if constexpr (requires { sink_.closed(); }) {
+            if (frames_.size() > 1) sink_.closed();  // the axiom was not opened
+        }
         const Frame& frame = frames_.back();
         values_.resize(frame.values);
         if constexpr (tracked) {
@@ -230,8 +236,13 @@ class ModuleStream {
         return true;
     }
 
+    void tell_opened(const CompiledModule& module, std::span<const double> arguments, int generation) {
+        if constexpr (requires { sink_.opened(module, arguments, generation); }) sink_.opened(module, arguments, generation);
+    }
+
     void open_exception(const Frame& at, const CompiledModule& module, const CompiledString& successor, int number,
                         int node) {
+        tell_opened(module, {}, at.generation);
         int symbols = 0;
         for (const CompiledModule& part : successor) symbols += part.symbol >= command_count;
         trail_.push_back({at.occurrence, module.position});
@@ -268,6 +279,7 @@ class ModuleStream {
         const int generation = at.generation + 1;
         const int occurrence = at.occurrence;
         limits_.count_application(production, generation, frames_.size());
+        tell_opened(module, arguments, generation);
         const CompiledProduction& applied = grammar_.productions[static_cast<std::size_t>(production)];
         Frame& frame = open(applied.successor, production, applied.symbol, generation);
         values_.insert(values_.end(), arguments.begin(), arguments.end());

@@ -1,0 +1,16 @@
+#pragma once
+// What a grammar draws, as a list for programs: JSON with the terminals and where each is placed, in paint order.
+
+#include "exports/export.h"
+
+namespace rinceau {
+
+/// {"format": "rinceau-placements", "version": 1,
+///  "canvas": [x, y, width, height] or null,
+///  "styles": [{"number", "fill", "stroke", "stroke_width"}], where a paint is "none", "#rrggbb" or "gradient",
+///  "terminals": [{"symbol", "path", "verbatim"}],
+///  "placements": [{"terminal": index, "style": number, "layer": k, "matrix": [a, b, c, d, e, f]}]}, one a line.
+/// Everything as SVG has it, y down: `matrix` takes a point of the terminal's path to the picture. Numbers are exact.
+Export to_placements(const Grammar& grammar, const ExportOptions& options = {});
+
+}  // namespace rinceau

@@ -1,0 +1,52 @@
+#include "lsystem/flat_grammar.h"
+
+#include "geometry/angle.h"
+#include "lsystem/interpret.h"
+#include "lsystem/turtle_step.h"
+
+namespace rinceau {
+
+namespace {
+
+using Modules = std::vector<ModuleTemplate>;
+
+void append_command(Modules& modules, const std::string& symbol) { modules.push_back({symbol, {}, {}}); }
+
+void append_command(Modules& modules, const std::string& symbol, double argument) {
+    modules.push_back({symbol, {number_expression(argument)}, {}});
+}
+
+void append_turn(Modules& modules, double angle) {
+    if (angle != 0) append_command(modules, angle < 0 ? "-" : "+", degrees(std::abs(angle)));
+}
+
+void append_placement(Modules& modules, const Grammar& grammar, const Placement& placement) {
+    const TurtleStep step = to_turtle_step(placement.pose);
+    append_command(modules, "[");
+    append_turn(modules, step.turn);
+    if (step.advance != 0) append_command(modules, "f", step.advance);
+    if (step.scale != 1) append_command(modules, "*", step.scale);
+    append_turn(modules, step.spin);
+    if (step.mirrored) append_command(modules, "|");
+    if (placement.style != 0) append_command(modules, ";", placement.style);
+    append_command(modules, grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol);
+    append_command(modules, "]");
+}
+
+}  // namespace
+
+Grammar flat_grammar(const Grammar& grammar, const DeriveOptions& options) {
+    Grammar flat = grammar;
+    flat.axiom.clear();
+    for (const Placement& placement : interpret(grammar, {.derive = options}))
+        append_placement(flat.axiom, grammar, placement);
+    flat.constants.clear();
+    flat.productions.clear();
+    flat.exceptions.clear();
+    flat.uses.clear();
+    flat.seed.reset();
+    flat.ignored.clear();
+    return flat;
+}
+
+}  // namespace rinceau
