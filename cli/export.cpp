@@ -37,7 +37,7 @@ std::string companion_name(const std::string& output, const std::string& ending)
 
 int export_rules(const ExportVerbOptions& options) {
     expect_writable(options.output);
-    const Grammar grammar = parse_grammar(read_input(options.input), input_label(options.input));
+    const Grammar grammar = read_grammar(options.input);
     const Export result =
         find_export_format(options.format)->write(grammar, {.derive = options.derive, .name = name_of(options.input)});
     for (const std::string& note : result.notes) say("note: " + note);
@@ -54,9 +54,9 @@ int export_rules(const ExportVerbOptions& options) {
 }  // namespace
 
 void add_export(CLI::App& program, Job& job) {
-    const auto [verb, options] = add_verb<ExportVerbOptions>(program, job, "export", "Write a grammar for another program",
-                                                             "rinceau export samples/rosette.lsys --to svg -o rosette.svg",
-                                                             export_rules);
+    const auto [verb, options] =
+        add_verb<ExportVerbOptions>(program, job, "export", "Write a grammar for another program",
+                                    "rinceau export samples/rosette.lsys --to svg -o rosette.svg", export_rules);
     verb->add_option("RULES", options->input, "The grammar (.lsys, or - for standard input)")->required();
     std::vector<std::string> names;
     std::string help = "For which program:";
