@@ -172,7 +172,7 @@ TEST_CASE("What stands behind a symbol that moves the turtle stays where it is")
         REQUIRE(leaves.size() == 3);
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             // the first stone of a path stands where the path begins
-            const Placement& start = placements_of(before, "Stone")[std::vector<std::size_t>{0, 4, 6}[i]];
+            const Placement start = placements_of(before, "Stone")[std::vector<std::size_t>{0, 4, 6}[i]];
             const Box place = measure(before, {with_count("Path", i == 0 ? 4 : i == 1 ? 2 : 3)}).box;
             const Similarity leaf = inverse(start.pose) * leaves[i].pose;
             const Box unit = measure(result.grammar, {{"Leaf", {}, {}}}).box;
