@@ -11,6 +11,7 @@
 #include "cli/verbs.h"
 #include "lsystem/edit_replace.h"
 #include "lsystem/grammar_text.h"
+#include "lsystem/resolve_uses.h"
 #include "scene/svg_read.h"
 
 namespace rinceau {
@@ -65,7 +66,7 @@ OtherDrawing read_drawing(const std::string& name) {
 }
 
 OtherGrammar read_other(const std::string& name, const std::string& modules, const std::string& what) {
-    OtherGrammar other{parse_grammar(read_input(name), input_label(name)), {}, symbol_for(name)};
+    OtherGrammar other{read_grammar(name), {}, symbol_for(name)};
     if (!modules.empty()) other.string = parse_modules(modules, what);
     return other;
 }
@@ -105,7 +106,8 @@ int replace(const ReplaceVerbOptions& options) {
     expect_writable(options.output);
     ReplaceOptions how = options.replace;
     for (const std::string& address : options.addresses) how.at.push_back(parse_address(address));
-    const Grammar grammar = parse_grammar(read_input(options.input), input_label(options.input));
+    how.resolve = [](const Grammar& grammar) { return resolve_uses(grammar, read_input); };
+    const Grammar grammar = read_grammar_as_written(options.input);
     std::vector<Replacement> replacements;
     for (const std::string& text : options.replacements) replacements.push_back(parse_replacement(text));
 

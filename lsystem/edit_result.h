@@ -8,9 +8,10 @@
 
 namespace rinceau {
 
+/// Every edit is a function Grammar -> EditResult; it throws InputError if the edit makes no sense for the grammar.
 struct EditResult {
     Grammar grammar;
-    std::vector<std::string> changes;  ///< what was changed, a sentence each, in the words of the grammar
+    std::vector<std::string> changes;  ///< what is different now, one sentence without a full stop each; empty = nothing
 };
 
 }  // namespace rinceau

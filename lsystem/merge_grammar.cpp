@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lsystem/prefix_names.h"
 #include "lsystem/style_text.h"
 #include "lsystem/turtle_commands.h"
 
@@ -29,6 +30,12 @@ bool same_look(const Grammar& a, const Terminal& first, const Grammar& b, const 
     const Style* one = style_of(a, first.style);
     const Style* other = style_of(b, second.style);
     return style_text(one != nullptr ? *one : Style{}) == style_text(other != nullptr ? *other : Style{});
+}
+
+int highest_style(const Grammar& grammar) {
+    int highest = 0;
+    for (const NumberedStyle& style : grammar.styles) highest = std::max(highest, style.number);
+    return highest;
 }
 
 class Merger {
@@ -66,7 +73,6 @@ class Merger {
     UsedNames used_;
     std::map<std::string, std::string> constants_;
     std::map<int, int> styles_;
-    int style_offset_ = 0;  // of numbers that are computed
     std::set<std::string> shared_;
 
     bool has_productions(const Grammar& grammar, const std::string& symbol) const {
@@ -121,11 +127,8 @@ class Merger {
         }
     }
 
-    /// Where a style's number is computed, all keep their distances.
     void name_styles() {
-        int largest = 0;
-        for (const NumberedStyle& style : result_.grammar.styles) largest = std::max(largest, style.number);
-        style_offset_ = largest;
+        int largest = highest_style(result_.grammar);
         for (const NumberedStyle& style : donor_.styles) {
             if (!used_.any_style && !used_.styles.contains(style.number)) continue;
             const std::string text = style_text(style.style);
@@ -135,7 +138,7 @@ class Merger {
                 styles_[style.number] = same->number;
                 continue;
             }
-            const int number = used_.any_style ? style.number + style_offset_ : ++largest;
+            const int number = used_.any_style ? style.number : ++largest;
             styles_[style.number] = number;
             NumberedStyle copy = style;
             copy.number = number;
@@ -166,22 +169,11 @@ class Merger {
         return string;
     }
 
-    /// ;(n): a computed n becomes n + offset * sign(n), for 0 stays 0.
+    /// A computed number has been raised with the whole donor.
     void renumber(ModuleTemplate& module) const {
-        if (const double* literal = literal_argument(module)) {
-            const auto found = styles_.find(static_cast<int>(*literal));
-            if (found != styles_.end()) module.arguments.front() = number_expression(found->second);
-            return;
-        }
-        if (style_offset_ == 0 || module.arguments.size() != 1) return;
-        using Op = Expression::Op;
-        std::vector<Expression::Node>& postfix = module.arguments.front().postfix;
-        const std::vector<Expression::Node> number = postfix;
-        postfix.push_back({.op = Op::number, .number = static_cast<double>(style_offset_)});
-        postfix.insert(postfix.end(), number.begin(), number.end());
-        postfix.push_back({.op = Op::call, .name = "sign", .arguments = 1});
-        postfix.push_back({.op = Op::multiply});
-        postfix.push_back({.op = Op::add});
+        const double* literal = literal_argument(module);
+        const auto found = literal != nullptr ? styles_.find(static_cast<int>(*literal)) : styles_.end();
+        if (found != styles_.end()) module.arguments.front() = number_expression(found->second);
     }
 
     Production renamed(Production production) const {
@@ -209,7 +201,12 @@ class Merger {
 }  // namespace
 
 MergedGrammar merge_grammar(Grammar grammar, const Grammar& donor, const ModuleTemplates& string) {
-    return Merger(std::move(grammar), donor, string).merge();
+    if (!used_names(donor, string).any_style) return Merger(std::move(grammar), donor, string).merge();
+    // where a style's number is computed, all keep their distances; the string goes with them as an axiom
+    Grammar raised = donor;
+    raised.axiom = string;
+    raised = with_styles_raised(std::move(raised), highest_style(grammar));
+    return Merger(std::move(grammar), raised, raised.axiom).merge();
 }
 
 }  // namespace rinceau
