@@ -4,6 +4,7 @@
 #include <array>
 
 #include "exports/json_placements.h"
+#include "exports/lpy.h"
 #include "exports/svg_clones.h"
 
 namespace rinceau {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::array formats{
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
+    ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 
