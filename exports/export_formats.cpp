@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "exports/cpfg.h"
 #include "exports/json_placements.h"
 #include "exports/lpy.h"
 #include "exports/svg_clones.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr std::array formats{
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
     ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
+    ExportFormat{"cpfg", ".l", "cpfg of the Virtual Laboratory, with .v and .map", to_cpfg},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 
