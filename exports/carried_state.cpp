@@ -136,9 +136,8 @@ bool remembers(const Grammar& grammar, TurtleMemory memory) {
     const auto has = [&](const Modules& modules) {
         return std::ranges::find(modules, command_of(memory), &ModuleTemplate::symbol) != modules.end();
     };
-    return has(grammar.axiom) || std::ranges::any_of(grammar.productions, [&](const Production& production) {
-               return has(production.successor);
-           });
+    return has(grammar.axiom) ||
+           std::ranges::any_of(grammar.productions, [&](const Production& production) { return has(production.successor); });
 }
 
 std::optional<Grammar> carried(const Grammar& grammar, TurtleMemory memory) {

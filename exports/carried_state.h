@@ -1,5 +1,6 @@
 #pragma once
-// What the turtle remembers, handed on as an argument: for programs whose turtle does not remember it. Internal to the folder.
+// What the turtle remembers, handed on as an argument: for programs whose turtle does not remember it. Internal to the
+// folder.
 
 #include <optional>
 #include <string>

@@ -177,8 +177,7 @@ class CpfgWriter {
 
     std::string symbol_text(const std::string& name, std::string arguments) const {
         const CpfgSymbol& symbol = symbols_.find(name)->second;
-        if (symbol.number >= 0)
-            arguments = std::to_string(symbol.number) + (arguments.empty() ? "" : ',' + arguments);
+        if (symbol.number >= 0) arguments = std::to_string(symbol.number) + (arguments.empty() ? "" : ',' + arguments);
         return symbol.character + (arguments.empty() ? std::string() : '(' + arguments + ')');
     }
 
@@ -233,7 +232,8 @@ class CpfgWriter {
     std::string rule_text(const Production& production) {
         std::vector<std::string> all = production.parameters;
         for (const auto* context : {&production.left_context, &production.right_context}) {
-            for (const ContextModule& module : *context) all.insert(all.end(), module.parameters.begin(), module.parameters.end());
+            for (const ContextModule& module : *context)
+                all.insert(all.end(), module.parameters.begin(), module.parameters.end());
         }
         const Names locals = locals_of(all);
         std::vector<std::string> conditions;
@@ -261,7 +261,8 @@ class CpfgWriter {
     std::string color_text(Color color) { return ";(" + std::to_string(palette_.number_of(color)) + ')'; }
 
     /// Steps as modules, the first without drawing.
-    static void add_walk(StringText& text, const std::vector<Point>& corners, const std::string& begin, const std::string& draw) {
+    static void add_walk(StringText& text, const std::vector<Point>& corners, const std::string& begin,
+                         const std::string& draw) {
         const std::vector<WalkStep> steps = walk_along(corners);
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const std::string go = i == 0 ? "f" : draw;
@@ -376,8 +377,8 @@ class CpfgWriter {
             result.notes.push_back("cpfg's lines follow the scale: strokes of fixed width do, too.");
         const auto numbers = static_cast<std::size_t>(std::ranges::count(result.bytes, '('));
         if (numbers > most_numbers) {
-            result.notes.push_back("cpfg's parser may fail beyond " + std::to_string(most_numbers) + " numbers in a file; this one has some " +
-                                   std::to_string(numbers) + '.');
+            result.notes.push_back("cpfg's parser may fail beyond " + std::to_string(most_numbers) +
+                                   " numbers in a file; this one has some " + std::to_string(numbers) + '.');
         }
     }
 };

@@ -13,18 +13,52 @@ using Op = Expression::Op;
 using Texts = std::vector<std::string>;
 
 constexpr std::array taken_names{
-    std::string_view{"if"},     std::string_view{"while"},  std::string_view{"do"},     std::string_view{"else"},
-    std::string_view{"array"},  std::string_view{"external"}, std::string_view{"tan"},  std::string_view{"sin"},
-    std::string_view{"atan2"},  std::string_view{"cos"},    std::string_view{"atan"},   std::string_view{"asin"},
-    std::string_view{"acos"},   std::string_view{"ran"},    std::string_view{"nran"},   std::string_view{"bran"},
-    std::string_view{"biran"},  std::string_view{"srand"},  std::string_view{"exp"},    std::string_view{"log"},
-    std::string_view{"floor"},  std::string_view{"ceil"},   std::string_view{"sign"},   std::string_view{"sqrt"},
-    std::string_view{"trunc"},  std::string_view{"fabs"},   std::string_view{"inblob"}, std::string_view{"stop"},
-    std::string_view{"printf"}, std::string_view{"fprintf"}, std::string_view{"fopen"}, std::string_view{"fclose"},
-    std::string_view{"fflush"}, std::string_view{"fscanf"}, std::string_view{"func"},   std::string_view{"play"},
-    std::string_view{"curveX"}, std::string_view{"curveY"}, std::string_view{"curveZ"}, std::string_view{"curveGAL"},
-    std::string_view{"SetDerivationLength"}, std::string_view{"GetDerivationLength"}, std::string_view{"Display"},
-    std::string_view{"Q"},      std::string_view{"Z"},      std::string_view{"K"},
+    std::string_view{"if"},
+    std::string_view{"while"},
+    std::string_view{"do"},
+    std::string_view{"else"},
+    std::string_view{"array"},
+    std::string_view{"external"},
+    std::string_view{"tan"},
+    std::string_view{"sin"},
+    std::string_view{"atan2"},
+    std::string_view{"cos"},
+    std::string_view{"atan"},
+    std::string_view{"asin"},
+    std::string_view{"acos"},
+    std::string_view{"ran"},
+    std::string_view{"nran"},
+    std::string_view{"bran"},
+    std::string_view{"biran"},
+    std::string_view{"srand"},
+    std::string_view{"exp"},
+    std::string_view{"log"},
+    std::string_view{"floor"},
+    std::string_view{"ceil"},
+    std::string_view{"sign"},
+    std::string_view{"sqrt"},
+    std::string_view{"trunc"},
+    std::string_view{"fabs"},
+    std::string_view{"inblob"},
+    std::string_view{"stop"},
+    std::string_view{"printf"},
+    std::string_view{"fprintf"},
+    std::string_view{"fopen"},
+    std::string_view{"fclose"},
+    std::string_view{"fflush"},
+    std::string_view{"fscanf"},
+    std::string_view{"func"},
+    std::string_view{"play"},
+    std::string_view{"curveX"},
+    std::string_view{"curveY"},
+    std::string_view{"curveZ"},
+    std::string_view{"curveGAL"},
+    std::string_view{"SetDerivationLength"},
+    std::string_view{"GetDerivationLength"},
+    std::string_view{"Display"},
+    std::string_view{"Q"},
+    std::string_view{"Z"},
+    std::string_view{"K"},
 };
 
 std::string in_parentheses(const std::string& text) { return '(' + text + ')'; }
@@ -105,11 +139,10 @@ std::string cpfg_number(double value) {
 bool is_cpfg_name_taken(std::string_view name) { return std::ranges::find(taken_names, name) != taken_names.end(); }
 
 ExpressionSyntax cpfg_syntax(std::set<std::string>& used) {
-    return {.number = cpfg_number,
-            .operation = cpfg_operation,
-            .call = [&used](std::string_view function, const Texts& arguments) {
-                return cpfg_call(function, arguments, used);
-            }};
+    return {
+        .number = cpfg_number,
+        .operation = cpfg_operation,
+        .call = [&used](std::string_view function, const Texts& arguments) { return cpfg_call(function, arguments, used); }};
 }
 
 std::string cpfg_prelude(const std::set<std::string>& used) {

@@ -14,8 +14,8 @@ using Ring = std::vector<Point>;
 
 struct PlacedRing {
     Ring corners;
-    int parent = -1;     ///< the smallest ring around it
-    int winding = 0;     ///< of the area inside it, by all rings around it and its own
+    int parent = -1;  ///< the smallest ring around it
+    int winding = 0;  ///< of the area inside it, by all rings around it and its own
     bool filled = false;
 };
 
@@ -63,7 +63,9 @@ bool crosses(const Ring& ring, Point a, Point b) {
 }
 
 /// The hole goes in at the shortest slit between corners that crosses neither.
-void cut_in(Ring& outer, const Ring& hole) {
+void cut_in(Ring& outer, Ring hole) {
+    // around the hole the other way, so that its area is taken off
+    if ((signed_area(outer) > 0) == (signed_area(hole) > 0)) std::ranges::reverse(hole);
     struct Slit {
         double length;
         std::size_t outer;
@@ -104,7 +106,8 @@ std::vector<std::vector<Point>> polygons_with_cut_holes(const std::vector<Path>&
         if (ring.filled) continue;
         // up to the ring whose inside is filled and whose outside is not
         int outer = ring.parent;
-        while (outer >= 0 && outlines[static_cast<std::size_t>(outer)].empty()) outer = rings[static_cast<std::size_t>(outer)].parent;
+        while (outer >= 0 && outlines[static_cast<std::size_t>(outer)].empty())
+            outer = rings[static_cast<std::size_t>(outer)].parent;
         const bool hole = ring.parent >= 0 && rings[static_cast<std::size_t>(ring.parent)].filled;
         if (hole && outer >= 0) cut_in(outlines[static_cast<std::size_t>(outer)], ring.corners);
     }

@@ -27,9 +27,8 @@ bool uses(const Grammar& grammar, std::string_view command) {
     const auto has = [&](const std::vector<ModuleTemplate>& modules) {
         return std::ranges::find(modules, command, &ModuleTemplate::symbol) != modules.end();
     };
-    return has(grammar.axiom) || std::ranges::any_of(grammar.productions, [&](const Production& production) {
-               return has(production.successor);
-           });
+    return has(grammar.axiom) ||
+           std::ranges::any_of(grammar.productions, [&](const Production& production) { return has(production.successor); });
 }
 
 }  // namespace

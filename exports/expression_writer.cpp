@@ -98,9 +98,8 @@ std::optional<std::string> write_expression(const Expression& expression, const 
 }
 
 bool calls(const Expression& expression, std::string_view function) {
-    return std::ranges::any_of(expression.postfix, [&](const Expression::Node& node) {
-        return node.op == Op::call && node.name == function;
-    });
+    return std::ranges::any_of(expression.postfix,
+                               [&](const Expression::Node& node) { return node.op == Op::call && node.name == function; });
 }
 
 }  // namespace rinceau

@@ -21,7 +21,8 @@ struct ExpressionSyntax {
     std::function<std::optional<std::string>(std::string_view function, const std::vector<std::string>&)> call;
 };
 
-/// "a + b" for the operators that nearly all languages write alike: + - * / < <= > >= and the unary minus. Nothing for others.
+/// "a + b" for the operators that nearly all languages write alike: + - * / < <= > >= and the unary minus. Nothing for
+/// others.
 std::optional<std::string> common_operation(Expression::Op op, const std::vector<std::string>& operands);
 
 /// The expression, or nothing where the language lacks an operator or a function. Composite operands are in parentheses, so

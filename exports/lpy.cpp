@@ -18,19 +18,120 @@ namespace rinceau {
 namespace {
 
 /// Names of modules that L-Py knows, and words of its files.
-constexpr std::array lpy_names{
-    "None", "SB", "EB", "F", "f", "nF", "X", "MouseIns", "Cut", "any", "x", "repexp", "all", "or", "GetPos", "GetHead", "GetUp",
-    "GetLeft", "GetRight", "GetFrame", "StartGC", "EndGC", "BP", "EP", "PP", "MoveTo", "MoveRel", "LineTo", "OLineTo",
-    "Pinpoint", "LineRel", "OLineRel", "PinpointRel", "SetHead", "EulerAngles", "Left", "Right", "Up", "Down", "RollL", "RollR",
-    "iRollL", "iRollR", "TurnAround", "RollToVert", "RollToHorizontal", "Sphere", "Box", "Quad", "Circle", "Label", "IncWidth",
-    "_", "DecWidth", "SetWidth", "IncColor", "DecColor", "SetColor", "InterpolateColors", "TextureBaseColor",
-    "InterpolateTextureBaseColors", "DivScale", "MultScale", "SetScale", "surface", "PglShape", "Frame", "Arrow", "Elasticity",
-    "Tropism", "SetContour", "SectionResolution", "SetGuide", "EndGuide", "Sweep", "PositionOnGuide", "TextureScale",
-    "TextureUScale", "TextureVScale", "TextureVCoeff", "TextureTranslation", "TextureRotation", "TextureTransformation",
-    "LeftReflection", "UpReflection", "HeadingReflection", "StartScreenProjection", "EndScreenProjection", "GetIterator",
-    "GetModule", "new", "newmodule", "Axiom", "Start", "End", "StartEach", "EndEach", "PostDraw", "production", "homomorphism",
-    "decomposition", "interpretation", "derivation", "maximum", "consider", "ignore", "group", "endgroup", "endlsystem",
-    "module", "extern", "undef", "context", "initconfig"};
+constexpr std::array lpy_names{"None",
+                               "SB",
+                               "EB",
+                               "F",
+                               "f",
+                               "nF",
+                               "X",
+                               "MouseIns",
+                               "Cut",
+                               "any",
+                               "x",
+                               "repexp",
+                               "all",
+                               "or",
+                               "GetPos",
+                               "GetHead",
+                               "GetUp",
+                               "GetLeft",
+                               "GetRight",
+                               "GetFrame",
+                               "StartGC",
+                               "EndGC",
+                               "BP",
+                               "EP",
+                               "PP",
+                               "MoveTo",
+                               "MoveRel",
+                               "LineTo",
+                               "OLineTo",
+                               "Pinpoint",
+                               "LineRel",
+                               "OLineRel",
+                               "PinpointRel",
+                               "SetHead",
+                               "EulerAngles",
+                               "Left",
+                               "Right",
+                               "Up",
+                               "Down",
+                               "RollL",
+                               "RollR",
+                               "iRollL",
+                               "iRollR",
+                               "TurnAround",
+                               "RollToVert",
+                               "RollToHorizontal",
+                               "Sphere",
+                               "Box",
+                               "Quad",
+                               "Circle",
+                               "Label",
+                               "IncWidth",
+                               "_",
+                               "DecWidth",
+                               "SetWidth",
+                               "IncColor",
+                               "DecColor",
+                               "SetColor",
+                               "InterpolateColors",
+                               "TextureBaseColor",
+                               "InterpolateTextureBaseColors",
+                               "DivScale",
+                               "MultScale",
+                               "SetScale",
+                               "surface",
+                               "PglShape",
+                               "Frame",
+                               "Arrow",
+                               "Elasticity",
+                               "Tropism",
+                               "SetContour",
+                               "SectionResolution",
+                               "SetGuide",
+                               "EndGuide",
+                               "Sweep",
+                               "PositionOnGuide",
+                               "TextureScale",
+                               "TextureUScale",
+                               "TextureVScale",
+                               "TextureVCoeff",
+                               "TextureTranslation",
+                               "TextureRotation",
+                               "TextureTransformation",
+                               "LeftReflection",
+                               "UpReflection",
+                               "HeadingReflection",
+                               "StartScreenProjection",
+                               "EndScreenProjection",
+                               "GetIterator",
+                               "GetModule",
+                               "new",
+                               "newmodule",
+                               "Axiom",
+                               "Start",
+                               "End",
+                               "StartEach",
+                               "EndEach",
+                               "PostDraw",
+                               "production",
+                               "homomorphism",
+                               "decomposition",
+                               "interpretation",
+                               "derivation",
+                               "maximum",
+                               "consider",
+                               "ignore",
+                               "group",
+                               "endgroup",
+                               "endlsystem",
+                               "module",
+                               "extern",
+                               "undef",
+                               "context",
+                               "initconfig"};
 
 bool is_lpy_name(std::string_view name) { return std::ranges::find(lpy_names, name) != lpy_names.end(); }
 
@@ -110,11 +211,13 @@ class LpyWriter {
 
     std::string head_text() const {
         std::string text = "# " + one_line(grammar_.title.empty() ? options_.name : grammar_.title) + '\n';
-        text += "# Written by Rinceau. Open it in L-Py (https://lpy.readthedocs.io) and run it; without a window:\n"
-                "#   from openalea.lpy import Lsystem\n"
-                "#   l = Lsystem('FILE.lpy'); s = l.sceneInterpretation(l.derive()); s.save('out.ply')\n"
-                "# The turtle starts at the origin and heads +Z in the plane Y-Z: look along -X. + turns left, @Di multiplies the\n"
-                "# scale, /(180) mirrors what follows about the heading.\n";
+        text +=
+            "# Written by Rinceau. Open it in L-Py (https://lpy.readthedocs.io) and run it; without a window:\n"
+            "#   from openalea.lpy import Lsystem\n"
+            "#   l = Lsystem('FILE.lpy'); s = l.sceneInterpretation(l.derive()); s.save('out.ply')\n"
+            "# The turtle starts at the origin and heads +Z in the plane Y-Z: look along -X. + turns left, @Di multiplies "
+            "the\n"
+            "# scale, /(180) mirrors what follows about the heading.\n";
         for (const std::string& comment : grammar_.comments) text += "# " + one_line(comment) + '\n';
         std::string renamed;
         for (const auto& [name, given] : symbols_) {
@@ -127,7 +230,8 @@ class LpyWriter {
     std::string constants_text() {
         std::string text;
         for (const Constant& constant : grammar_.constants)
-            text += comment_text(constant.comment) + constants_[constant.name] + " = " + expression(constant.value, {}) + '\n';
+            text +=
+                comment_text(constant.comment) + constants_[constant.name] + " = " + expression(constant.value, {}) + '\n';
         return text.empty() ? text : '\n' + text;
     }
 
@@ -209,11 +313,13 @@ class LpyWriter {
         const Production& first = *productions.front();
         std::vector<std::string> all = first.parameters;
         for (const auto* context : {&first.left_context, &first.right_context}) {
-            for (const ContextModule& module : *context) all.insert(all.end(), module.parameters.begin(), module.parameters.end());
+            for (const ContextModule& module : *context)
+                all.insert(all.end(), module.parameters.begin(), module.parameters.end());
         }
         Locals locals = locals_of(all);
         std::string parameters;
-        for (const std::string& parameter : first.parameters) parameters += (parameters.empty() ? "" : ", ") + locals[parameter];
+        for (const std::string& parameter : first.parameters)
+            parameters += (parameters.empty() ? "" : ", ") + locals[parameter];
         std::string head = symbol(first.symbol) + (parameters.empty() ? "" : '(' + parameters + ')');
         if (!first.left_context.empty()) head = context_text(first.left_context, locals) + " < " + head;
         if (!first.right_context.empty()) head += " > " + context_text(first.right_context, locals);
@@ -226,7 +332,8 @@ class LpyWriter {
             body += comment_text(production->comment, "    ");
             const bool begins = production == productions.front();
             if (production->condition) {
-                body += (begins ? "    if " : "    elif ") + expression(*production->condition, own) + ":\n        " + successor;
+                body +=
+                    (begins ? "    if " : "    elif ") + expression(*production->condition, own) + ":\n        " + successor;
             } else {
                 body += begins ? "    " + successor : "    else:\n        " + successor;
                 break;
@@ -246,7 +353,8 @@ class LpyWriter {
             std::vector<const Production*> together{&first};
             for (std::size_t k = i + 1; is_plain(first) && k < grammar_.productions.size(); ++k) {
                 const Production& next = grammar_.productions[k];
-                if (next.kind != kind || next.symbol != first.symbol || next.parameters.size() != first.parameters.size()) continue;
+                if (next.kind != kind || next.symbol != first.symbol || next.parameters.size() != first.parameters.size())
+                    continue;
                 if (!is_plain(next)) break;
                 together.push_back(&next);
                 written[k] = true;
@@ -314,7 +422,8 @@ Export to_lpy(const Grammar& grammar, const ExportOptions& options) {
             return {.bytes = std::move(*text), .notes = prepared->notes};
     }
     const PreparedGrammar placed = prepared_placements(
-        grammar, options, "L-Py", is_random(grammar) ? "what is drawn by chance is frozen as the seed makes it" : "L-Py cannot follow them");
+        grammar, options, "L-Py",
+        is_random(grammar) ? "what is drawn by chance is frozen as the seed makes it" : "L-Py cannot follow them");
     return {.bytes = LpyWriter(placed, options).write().value_or(""), .notes = placed.notes};
 }
 

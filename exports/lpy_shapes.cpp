@@ -45,8 +45,8 @@ std::string curves_text(const Path& path) {
             continue;
         }
         end_run();
-        text += ",\n    BezierCurve([" + point_text(corners.back(), true) + ", " + point_text(segment.control1, true) + ", " +
-                point_text(segment.control2, true) + ", " + point_text(segment.to, true) + "])";
+        text += ",\n    BezierCurve([" + point_text(corners.back(), true) + ", " + point_text(segment.control1, true) +
+                ", " + point_text(segment.control2, true) + ", " + point_text(segment.to, true) + "])";
         corners = {segment.to};
     }
     if (path.closed && corners.back() != path.start) corners.push_back(path.start);
@@ -68,7 +68,8 @@ std::string polygon_text(const Polygon& polygon) {
 }
 
 std::string color_text(Color color) {
-    return "SetColor(" + std::to_string(color.red) + ", " + std::to_string(color.green) + ", " + std::to_string(color.blue) + ") ";
+    return "SetColor(" + std::to_string(color.red) + ", " + std::to_string(color.green) + ", " + std::to_string(color.blue) +
+           ") ";
 }
 
 }  // namespace

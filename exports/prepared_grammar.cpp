@@ -95,7 +95,8 @@ bool has_contexts(const Grammar& grammar) {
     });
 }
 
-std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options, const std::string& format) {
+std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options,
+                                              const std::string& format) {
     if (is_random(grammar) || repaints(grammar)) return std::nullopt;
     if (has_contexts(grammar) && options.derive.depth >= 0) return std::nullopt;
     std::optional<PreparedGrammar> prepared = without_style_commands(unfolded_exceptions(grammar, options.derive));

@@ -1,6 +1,6 @@
 #pragma once
-// A grammar brought to what programs for L-systems have in common: no exceptions, no limit of depth, no style commands, nothing
-// drawn by chance. Internal to the folder.
+// A grammar brought to what programs for L-systems have in common: no exceptions, no limit of depth, no style commands,
+// nothing drawn by chance. Internal to the folder.
 
 #include <optional>
 #include <set>
@@ -17,9 +17,10 @@ struct PreparedGrammar {
     std::vector<std::string> notes;
 };
 
-/// The rules kept where they can be; nothing where they cannot: then prepared_placements is what is left. `format` begins the
-/// notes: "L-Py". Throws as derive().
-std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options, const std::string& format);
+/// The rules kept where they can be; nothing where they cannot: then prepared_placements is what is left. `format` begins
+/// the notes: "L-Py". Throws as derive().
+std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options,
+                                              const std::string& format);
 
 /// Every placement by itself (lsystem/flat_grammar.h); `reason` is why: "draws by chance are frozen as the seed makes them".
 PreparedGrammar prepared_placements(const Grammar& grammar, const ExportOptions& options, const std::string& format,

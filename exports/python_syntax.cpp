@@ -12,19 +12,23 @@ namespace {
 using Op = Expression::Op;
 
 constexpr std::array taken_names{
-    std::string_view{"False"}, std::string_view{"None"},   std::string_view{"True"},     std::string_view{"and"},
-    std::string_view{"as"},    std::string_view{"assert"}, std::string_view{"async"},    std::string_view{"await"},
-    std::string_view{"break"}, std::string_view{"class"},  std::string_view{"continue"}, std::string_view{"def"},
-    std::string_view{"del"},   std::string_view{"elif"},   std::string_view{"else"},     std::string_view{"except"},
-    std::string_view{"exec"},  std::string_view{"finally"}, std::string_view{"for"},     std::string_view{"from"},
-    std::string_view{"global"}, std::string_view{"if"},    std::string_view{"import"},   std::string_view{"in"},
-    std::string_view{"is"},    std::string_view{"lambda"}, std::string_view{"math"},     std::string_view{"max"},
-    std::string_view{"min"},   std::string_view{"module"}, std::string_view{"nonlocal"}, std::string_view{"not"},
-    std::string_view{"nproduce"}, std::string_view{"nsproduce"}, std::string_view{"or"}, std::string_view{"pass"},
-    std::string_view{"print"}, std::string_view{"produce"}, std::string_view{"raise"},   std::string_view{"return"},
-    std::string_view{"sproduce"}, std::string_view{"try"}, std::string_view{"while"},    std::string_view{"with"},
-    std::string_view{"yield"}, std::string_view{"abs"},    std::string_view{"float"},    std::string_view{"BezierCurve"},
-    std::string_view{"Polyline"}, std::string_view{"Group"},
+    std::string_view{"False"},     std::string_view{"None"},     std::string_view{"True"},
+    std::string_view{"and"},       std::string_view{"as"},       std::string_view{"assert"},
+    std::string_view{"async"},     std::string_view{"await"},    std::string_view{"break"},
+    std::string_view{"class"},     std::string_view{"continue"}, std::string_view{"def"},
+    std::string_view{"del"},       std::string_view{"elif"},     std::string_view{"else"},
+    std::string_view{"except"},    std::string_view{"exec"},     std::string_view{"finally"},
+    std::string_view{"for"},       std::string_view{"from"},     std::string_view{"global"},
+    std::string_view{"if"},        std::string_view{"import"},   std::string_view{"in"},
+    std::string_view{"is"},        std::string_view{"lambda"},   std::string_view{"math"},
+    std::string_view{"max"},       std::string_view{"min"},      std::string_view{"module"},
+    std::string_view{"nonlocal"},  std::string_view{"not"},      std::string_view{"nproduce"},
+    std::string_view{"nsproduce"}, std::string_view{"or"},       std::string_view{"pass"},
+    std::string_view{"print"},     std::string_view{"produce"},  std::string_view{"raise"},
+    std::string_view{"return"},    std::string_view{"sproduce"}, std::string_view{"try"},
+    std::string_view{"while"},     std::string_view{"with"},     std::string_view{"yield"},
+    std::string_view{"abs"},       std::string_view{"float"},    std::string_view{"BezierCurve"},
+    std::string_view{"Polyline"},  std::string_view{"Group"},
 };
 
 /// Functions that Python has not: the definition of rinceau_<name>.
@@ -34,10 +38,11 @@ struct Definition {
 };
 
 constexpr std::array definitions{
-    Definition{"sin",
-               "def rinceau_sin(x):\n"
-               "    x = math.remainder(x, 360)\n"
-               "    return 0.0 if abs(x) in (0, 180) else math.copysign(1, x) if abs(x) == 90 else math.sin(math.radians(x))\n"},
+    Definition{
+        "sin",
+        "def rinceau_sin(x):\n"
+        "    x = math.remainder(x, 360)\n"
+        "    return 0.0 if abs(x) in (0, 180) else math.copysign(1, x) if abs(x) == 90 else math.sin(math.radians(x))\n"},
     Definition{"cos",
                "def rinceau_cos(x):\n"
                "    x = abs(math.remainder(x, 360))\n"
@@ -58,10 +63,10 @@ struct Renamed {
     std::string_view python;
 };
 constexpr std::array renamed{
-    Renamed{"sqrt", "math.sqrt"},   Renamed{"exp", "math.exp"},   Renamed{"log", "math.log"},   Renamed{"abs", "abs"},
-    Renamed{"floor", "math.floor"}, Renamed{"ceil", "math.ceil"}, Renamed{"min", "min"},        Renamed{"max", "max"},
-    Renamed{"pow", "math.pow"},     Renamed{"hypot", "math.hypot"}, Renamed{"log10", "math.log10"},
-    Renamed{"trunc", "math.trunc"},
+    Renamed{"sqrt", "math.sqrt"},   Renamed{"exp", "math.exp"},     Renamed{"log", "math.log"},
+    Renamed{"abs", "abs"},          Renamed{"floor", "math.floor"}, Renamed{"ceil", "math.ceil"},
+    Renamed{"min", "min"},          Renamed{"max", "max"},          Renamed{"pow", "math.pow"},
+    Renamed{"hypot", "math.hypot"}, Renamed{"log10", "math.log10"}, Renamed{"trunc", "math.trunc"},
 };
 
 std::string joined(const std::vector<std::string>& arguments) {
