@@ -33,7 +33,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from readers.picture import Disagreement, Element, Picture, largest_distance  # noqa: E402
 
-SHARED = {"__init__", "picture"}  # modules of readers/ that are no format
+SHARED = {"__init__", "picture", "drawn"}  # modules of readers/ that are no format
 FORMATS = sorted(module.stem for module in (ROOT / "tests/tools/readers").glob("*.py") if module.stem not in SHARED)
 
 
