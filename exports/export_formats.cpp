@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "exports/cpfg.h"
 #include "exports/json_placements.h"
+#include "exports/lpy.h"
 #include "exports/svg_clones.h"
 
 namespace rinceau {
@@ -12,6 +14,8 @@ namespace {
 
 constexpr std::array formats{
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
+    ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
+    ExportFormat{"cpfg", ".l", "cpfg of the Virtual Laboratory, with .v and .map", to_cpfg},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 
