@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "exports/cfdg.h"
 #include "exports/json_placements.h"
 #include "exports/svg_clones.h"
 
@@ -11,6 +12,7 @@ namespace rinceau {
 namespace {
 
 constexpr std::array formats{
+    ExportFormat{"cfdg", ".cfdg", "Context Free", to_cfdg},
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };

@@ -178,6 +178,11 @@ class GraphBuilder {
 
 }  // namespace
 
+Style look_style(const Grammar& grammar, const Look& look) {
+    const int own = grammar.terminals[static_cast<std::size_t>(look.terminal)].style;
+    return StyleTable(grammar).style(look.style != 0 ? look.style : own);
+}
+
 std::optional<DerivationGraph> derivation_graph(const Grammar& grammar, const DeriveOptions& options) {
     visit_placements(grammar, {.derive = options}, [](const Placement&) {});  // finds every mistake
     const CompiledGrammar compiled = compile(grammar);

@@ -19,6 +19,9 @@ struct Look {
     friend constexpr auto operator<=>(const Look&, const Look&) = default;
 };
 
+/// The style that a look is painted in.
+Style look_style(const Grammar& grammar, const Look& look);
+
 /// A look or another part, placed in the frame of the part that it belongs to.
 struct PartItem {
     bool is_look = false;
