@@ -12,10 +12,10 @@
 namespace rinceau {
 
 /// What stands in the place of the file `name` when it is finished; "" or "-" = standard output. A regular file is written
-/// beside its name and renamed; a signal that would end the program ends it between two pieces: either the old content stands
-/// there or the whole new one, and nothing is left over. A symbolic link is followed. The first mebibyte is held back, so that
-/// what fails early leaves nothing on standard output, a pipe or a device either.
-/// All functions throw OutputError.
+/// beside its name and renamed; a signal that would end the program ends it between two pieces: either the old content
+/// stands there or the whole new one, and nothing is left over. A symbolic link is followed. The first mebibyte is held
+/// back, so that what fails early leaves nothing on standard output, a pipe or a device either. All functions throw
+/// OutputError.
 class OutputFile {
   public:
     explicit OutputFile(std::string name) : name_(std::move(name)) {}
@@ -29,8 +29,8 @@ class OutputFile {
 
   private:
     std::string name_;
-    std::string target_;        ///< links followed; empty = standard output
-    std::string beside_;        ///< the file that will be renamed; empty = none
+    std::string target_;          ///< links followed; empty = standard output
+    std::string beside_;          ///< the file that will be renamed; empty = none
     std::optional<mode_t> mode_;  ///< of the file that is replaced
     int descriptor_ = -1;
     std::string held_back_;
