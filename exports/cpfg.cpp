@@ -105,7 +105,7 @@ class CpfgWriter {
 
     /// The first letter of the name if it is free, else the next free one; the last one is shared by all that are left over.
     void name_symbols() {
-        const std::set<std::string> all = symbols_of(grammar_);
+        const std::set<std::string> all = all_symbols(grammar_);
         const bool shared = all.size() > free_characters.size();
         std::string left(free_characters);
         const char last = left.back();

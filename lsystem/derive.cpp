@@ -36,11 +36,10 @@ void append_module(std::string& text, const std::string& symbol, std::span<const
 /// Writes the modules that Collector would collect.
 class TextWriter {
   public:
+    static constexpr bool draws_nothing = true;
     TextWriter(const std::vector<std::string>& symbols, const TextSink& sink) : symbols_(symbols), pieces_(sink) {}
 
-    void command(const CompiledModule& module, double argument) {
-        append(module, {&argument, static_cast<std::size_t>(module.argument_count)});
-    }
+    void command(const CompiledModule& module, std::span<const double> arguments) { append(module, arguments); }
     void leaf(const CompiledModule& module, std::span<const double> arguments, const StreamPlace&) {
         append(module, arguments);
     }
