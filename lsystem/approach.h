@@ -1,6 +1,6 @@
 #pragma once
-// A string of modules cut into the ways to its symbols: in "[f(50) A] +(30) P(m-1)" the command f(50) leads to A and +(30) to P.
-// Internal to the folder.
+// A string of modules cut into the ways to its symbols: in "[f(50) A] +(30) P(m-1)" the command f(50) leads to A and +(30)
+// to P. Internal to the folder.
 
 #include <string>
 #include <vector>
@@ -16,12 +16,13 @@ struct Approach {
     int ordinal = 1;            ///< among the approaches of the string to this symbol, from 1 ..
     int of = 1;                 ///< .. to this
     std::vector<int> commands;  ///< positions of the commands since the symbol before, or since the bracket was opened
-    std::vector<int> way;       ///< positions of all commands and symbols between the string's begin and here that the turtle
-                                ///< has not returned from
 };
 
 /// In order of the string. `own_symbol` is that of the production whose successor the string is; empty for others.
 std::vector<Approach> approaches_of(const std::vector<ModuleTemplate>& string, const std::string& own_symbol);
+
+/// Positions of all commands and symbols before `position` that the turtle has not returned from when it is there.
+std::vector<int> way_to(const std::vector<ModuleTemplate>& string, int position);
 
 /// + and -: the angle's sign; 0 for anything else.
 int turn_sign(const ModuleTemplate& module);

@@ -12,9 +12,9 @@
 namespace rinceau {
 
 struct CommandRole {
-    int position = 0;             ///< in the string
-    std::string role;             ///< "turn", "spin", "distance", "forward", "sideways", "scale", "style", "layer", "turn.2" ..
-    int sign = 1;                 ///< of an angle: to the left is above 0
+    int position = 0;  ///< in the string
+    std::string role;  ///< "turn", "spin", "distance", "forward", "sideways", "scale", "style", "layer", "turn.2" ..
+    int sign = 1;      ///< of an angle: to the left is above 0
     std::optional<double> value;  ///< in degrees to the left for angles; nothing if it depends on parameters or chance
 };
 
@@ -28,9 +28,9 @@ enum class StepForm : unsigned char {
 struct ApproachRoles {
     std::vector<CommandRole> commands;  ///< without |
     StepForm form = StepForm::turtle;
-    int first_turn = -1;              ///< index of the turn before the way, if a spin follows it; -1 = there are no such two
-    int last_turn = -1;               ///< index of the last turn
-    std::optional<double> rotation;   ///< sum of the turns, in degrees; nothing if unknown or mirrored on the way
+    int first_turn = -1;             ///< index of the turn before the way, if a spin follows it; -1 = there are no such two
+    int last_turn = -1;              ///< index of the last turn
+    std::optional<double> rotation;  ///< sum of the turns, in degrees; nothing if unknown or mirrored on the way
 };
 
 /// The role of a command depends on the commands about it, never on their values.

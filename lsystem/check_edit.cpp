@@ -28,7 +28,8 @@ std::vector<bool> exceptions_met(const Grammar& grammar, const DeriveOptions& op
 
 std::size_t elements_drawn(const Grammar& grammar, const DeriveOptions& options, const Progress& progress) {
     std::size_t count = 0;
-    visit_placements(grammar, {.derive = options}, [&](const Placement&) { ++count; }, progress);
+    visit_placements(
+        grammar, {.derive = options}, [&](const Placement&) { ++count; }, progress);
     return count;
 }
 
@@ -41,7 +42,8 @@ std::string address_text(const std::vector<int>& address) {
 /// "2 exceptions dropped (1.11, 1.12): nothing stands there now".
 std::string dropped_text(const std::vector<std::string>& addresses) {
     constexpr std::size_t most_named = 8;
-    std::string text = std::to_string(addresses.size()) + (addresses.size() == 1 ? " exception" : " exceptions") + " dropped (";
+    std::string text =
+        std::to_string(addresses.size()) + (addresses.size() == 1 ? " exception" : " exceptions") + " dropped (";
     for (std::size_t i = 0; i < std::min(addresses.size(), most_named); ++i) text += (i > 0 ? ", " : "") + addresses[i];
     if (addresses.size() > most_named) text += ", ..";
     return text + "): nothing stands there now";

@@ -37,7 +37,8 @@ int constant_behind(const Grammar& grammar, const Expression& expression) {
         if (next->postfix.size() != 1 || next->postfix.front().op != Expression::Op::name) break;
         const std::string& name = next->postfix.front().name;
         const auto end = grammar.constants.begin() + static_cast<std::ptrdiff_t>(below);
-        const auto constant = std::find_if(grammar.constants.begin(), end, [&](const Constant& c) { return c.name == name; });
+        const auto constant =
+            std::find_if(grammar.constants.begin(), end, [&](const Constant& c) { return c.name == name; });
         if (constant == end) break;
         below = static_cast<std::size_t>(constant - grammar.constants.begin());
         found = static_cast<int>(below);

@@ -13,25 +13,23 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// "axiom.Row", "Wall.Row.2".
 std::string name_of_use(const Grammar& grammar, const LoopUse& use) {
-    const std::string prefix = name_of_string(grammar, use.string);
     const auto& string = string_at(grammar, use.string);
-    const std::string own =
-        use.string.in == StringPlace::In::production ? grammar.productions[at(use.string.index)].symbol : "";
-    for (const Approach& approach : approaches_of(string, own)) {
-        if (approach.symbol != use.position) continue;
-        const std::string name = prefix + '.' + string[at(use.position)].symbol;
-        return approach.of > 1 ? name + '.' + std::to_string(approach.ordinal) : name;
-    }
-    return prefix;
+    const std::string& symbol = string[at(use.position)].symbol;
+    const auto is_this = [&](const ModuleTemplate& module) { return module.symbol == symbol; };
+    const auto here = string.begin() + use.position + 1;
+    const auto ordinal = std::count_if(string.begin(), here, is_this);
+    const bool several = ordinal > 1 || std::any_of(here, string.end(), is_this);
+    const std::string name = name_of_string(grammar, use.string) + '.' + symbol;
+    return several ? name + '.' + std::to_string(ordinal) : name;
 }
 
 std::string help_of(const Grammar& grammar, const RuleLoop& loop, const std::vector<Ring>& rings) {
     if (loop.continuations.size() > 1) return "levels of branches";
     const bool ring = std::ranges::any_of(rings, [&](const Ring& r) { return r.loop.production == loop.production; });
     if (ring) return "elements in the ring";
-    const bool mirrored = std::ranges::any_of(loop.continuations.front().way, [&](int position) {
-        return grammar.productions[at(loop.production)].successor[at(position)].symbol == "|";
-    });
+    const auto& string = grammar.productions[at(loop.production)].successor;
+    const bool mirrored = std::ranges::any_of(way_to(string, loop.continuations.front().symbol),
+                                              [&](int position) { return string[at(position)].symbol == "|"; });
     return mirrored ? "elements, every other one mirrored" : "elements in the row";
 }
 
@@ -81,8 +79,7 @@ class CountNumbers {
 
     void join(GrammarNumber all, std::vector<GrammarNumber> each) {
         all.value = each.front().value;
-        const bool equal =
-            std::ranges::all_of(each, [&](const GrammarNumber& number) { return number.value == all.value; });
+        const bool equal = std::ranges::all_of(each, [&](const GrammarNumber& number) { return number.value == all.value; });
         if (equal) {
             all.constant = each.front().constant;
             all.written = each.front().written;

@@ -47,7 +47,8 @@ class NumberFinder {
         const auto noise = find_noise(expression_);
         if (noise) last = noise->base_size;
         if (!add_value(0, last, 1) && !add_product(0, last, 1) && !add_sum(last)) add_literals(last);
-        if (noise) result_.push_back({Part::noise, noise->deviation_at, noise->deviation_at + 1, noise->deviation, 1, {}, 1});
+        if (noise)
+            result_.push_back({Part::noise, noise->deviation_at, noise->deviation_at + 1, noise->deviation, 1, {}, 1});
         return std::move(result_);
     }
 
@@ -81,8 +82,7 @@ class NumberFinder {
         const int to = parameter_first ? last - 1 : middle;
         const auto found = value(from, to);
         if (!found) return false;
-        result_.push_back(
-            {Part::change, from, to, *found * slope, slope, node(parameter_first ? first : middle).name, 1});
+        result_.push_back({Part::change, from, to, *found * slope, slope, node(parameter_first ? first : middle).name, 1});
         return true;
     }
 

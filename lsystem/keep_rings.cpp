@@ -81,16 +81,22 @@ class RingKeeper {
         return uses_.size() == rings_.size();
     }
 
+    /// As often around as before.
+    bool is_closed(std::size_t i) const {
+        const auto turn = turn_of(grammar_, loop_, uses_[i]);
+        const double elements = elements_of(loop_, uses_[i]);
+        if (!turn || !closes(elements, *turn)) return false;
+        return std::round(elements * std::abs(*turn) / full_circle) == rings_[i].full_turns;
+    }
     bool all_closed() const {
-        return std::ranges::all_of(uses_, [&](const LoopUse& use) {
-            const auto turn = turn_of(grammar_, loop_, use);
-            return turn && closes(elements_of(loop_, use), *turn);
-        });
+        for (std::size_t i = 0; i < uses_.size(); ++i)
+            if (!is_closed(i)) return false;
+        return true;
     }
 
     std::string value_text(const std::string& name, const Grammar& grammar) const {
         for (const GrammarNumber& number : grammar_numbers(grammar))
-            if (number.name == name) return number_text(rounded(number.value));
+            if (number.name == name) return short_text(number.value);
         return "";
     }
     void say_changed(const ExpressionPlace& place, const Grammar& was) {
@@ -136,14 +142,14 @@ class RingKeeper {
 
     bool set_turn(double turn) {
         const auto now = turn_of(grammar_, loop_, uses_.front());
-        const std::vector<int>& way = loop_.continuations.front().way;
         const StringPlace string{StringPlace::In::production, loop_.production};
+        const std::vector<int> way = way_to(string_at(grammar_, string), loop_.continuations.front().symbol);
         for (auto position = way.rbegin(); now && position != way.rend(); ++position) {
             const ModuleTemplate& module = string_at(grammar_, string)[at(*position)];
             const int sign = turn_sign(module);
             if (sign == 0) continue;
             const Expression base = without_noise(module.arguments.front());
-            const ExpressionPlace place{ExpressionPlace::In::module, 0,  string, *position, 0, 0,
+            const ExpressionPlace place{ExpressionPlace::In::module,          0, string, *position, 0, 0,
                                         static_cast<int>(base.postfix.size())};
             if (set_turn_at(place, base, sign * (turn - *now))) return true;
         }
@@ -179,8 +185,13 @@ class RingKeeper {
             const Expression written = string_at(grammar_, use.string)[at(use.position)].arguments[at(argument)];
             const auto value = value_of(written, constants_in(grammar_, constants_of(grammar_), use.string));
             if (!value || (!more && *value != rings_[i].elements)) return false;
-            const ExpressionPlace place{
-                ExpressionPlace::In::module, 0, use.string, use.position, argument, 0, static_cast<int>(written.postfix.size())};
+            const ExpressionPlace place{ExpressionPlace::In::module,
+                                        0,
+                                        use.string,
+                                        use.position,
+                                        argument,
+                                        0,
+                                        static_cast<int>(written.postfix.size())};
             write(place, more ? closing_turn(*value + *more, elements) : number_expression(elements));
         }
         return true;
@@ -204,7 +215,7 @@ class RingKeeper {
         for (std::size_t i = 0; i < uses_.size(); ++i) {
             const auto turn = turn_of(grammar_, loop_, uses_[i]);
             if (!turn) return say_open("its turn is not the same from one element to the next");
-            if (closes(elements_of(loop_, uses_[i]), *turn)) continue;
+            if (is_closed(i)) continue;
             const double elements = *turn == 0 ? 0 : full_circle * rings_[i].full_turns / std::abs(*turn);
             expect_whole(elements, *turn);
             set_count(uses_[i], std::round(elements));
@@ -220,7 +231,8 @@ class RingKeeper {
         throw InputError(grammar_.productions[at(loop_.production)].place,
                          "expected a turn of " + symbol() + " that a whole number of elements closes to a ring, such as " +
                              number_text(full_circle / std::max(2.0, std::round(std::min(elements, most_elements)))) +
-                             ", found " + number_text(rounded(turn)) + ": set its count, too, or let the ring open (--open)");
+                             ", found " + number_text(rounded(turn)) +
+                             ": set its count, too, or let the ring open (--open)");
     }
 
     void set_count(const LoopUse& use, double elements) {
@@ -250,7 +262,7 @@ class RingKeeper {
         }
         auto& now = string_at(grammar_, string);
         const auto& then = string_at(before_, string);
-        for (const int position : loop_.continuations.front().way)
+        for (const int position : way_to(then, loop_.continuations.front().symbol))
             if (turn_sign(then[at(position)]) != 0) now[at(position)] = then[at(position)];
     }
 };

@@ -6,8 +6,8 @@
 
 namespace rinceau {
 
-/// `after` differs from `before` in numbers only. If the count of a ring is another one, its turn follows; if its turn is, its
-/// count does. Throws InputError if no whole count closes it.
+/// `after` differs from `before` in numbers only. If the count of a ring is another one, its turn follows; if its turn is,
+/// its count does. Throws InputError if no whole count closes it.
 EditResult keep_rings_closed(const Grammar& before, const Grammar& after);
 
 }  // namespace rinceau

@@ -23,13 +23,12 @@ Expression::Node call(const char* name, int arguments) { return {Op::call, 0, na
 Expression::Node operation(Op op) { return {op, 0, {}, 0}; }
 
 std::array<NoiseForm, 3> noise_forms() {
-    return {NoiseForm{NoiseKind::angle, {number(0), number(0), call("normal", 2), operation(Op::add)}, 1},
-            NoiseForm{NoiseKind::distance,
-                      {number(1), number(0), number(0), call("normal", 2), operation(Op::add), operation(Op::multiply)},
-                      2},
-            NoiseForm{NoiseKind::scale,
-                      {number(0), number(0), call("normal", 2), call("exp", 1), operation(Op::multiply)},
-                      1}};
+    return {
+        NoiseForm{NoiseKind::angle, {number(0), number(0), call("normal", 2), operation(Op::add)}, 1},
+        NoiseForm{NoiseKind::distance,
+                  {number(1), number(0), number(0), call("normal", 2), operation(Op::add), operation(Op::multiply)},
+                  2},
+        NoiseForm{NoiseKind::scale, {number(0), number(0), call("normal", 2), call("exp", 1), operation(Op::multiply)}, 1}};
 }
 
 bool ends_in(const Nodes& nodes, const NoiseForm& form) {
@@ -49,7 +48,8 @@ std::optional<NoiseInExpression> find_noise(const Expression& expression) {
         if (!ends_in(expression.postfix, form)) continue;
         const std::size_t base = expression.postfix.size() - form.nodes.size();
         const std::size_t place = base + form.deviation_at;
-        return NoiseInExpression{form.kind, static_cast<int>(base), static_cast<int>(place), expression.postfix[place].number};
+        return NoiseInExpression{form.kind, static_cast<int>(base), static_cast<int>(place),
+                                 expression.postfix[place].number};
     }
     return std::nullopt;
 }

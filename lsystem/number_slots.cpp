@@ -1,12 +1,14 @@
 #include "lsystem/number_slots.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
 #include "lsystem/approach.h"
 #include "lsystem/constant_values.h"
 #include "lsystem/noise_form.h"
+#include "lsystem/number_text.h"
 
 namespace rinceau {
 
@@ -31,6 +33,23 @@ Expression scaled(const Expression& value, double slope, double offset) {
     return result;
 }
 
+/// 60 + -10*m is 60 - 10*m.
+void set_sign_apart(Grammar& grammar, const ExpressionPlace& place) {
+    auto& nodes = expression_at(grammar, place).postfix;
+    const auto first = static_cast<std::size_t>(place.first);
+    if (nodes[first].op != Op::number || nodes[first].number >= 0) return;
+    const auto is = [&](std::size_t i, Op op) { return i < nodes.size() && nodes[i].op == op; };
+    std::size_t sum = first + 1;
+    if (is(sum, Op::name) && is(sum + 1, Op::multiply)) {
+        sum += 2;
+    } else if (is(sum, Op::multiply)) {
+        sum += 1;
+    }
+    if (!is(sum, Op::add) && !is(sum, Op::subtract)) return;
+    nodes[first].number = -nodes[first].number;
+    nodes[sum].op = nodes[sum].op == Op::add ? Op::subtract : Op::add;
+}
+
 /// -(-30) is +(30). Where numbers are random, commands stay what they are: draws are told apart by them.
 void set_right_way_round(Grammar& grammar, const ExpressionPlace& place) {
     if (place.in != ExpressionPlace::In::module) return;
@@ -43,6 +62,14 @@ void set_right_way_round(Grammar& grammar, const ExpressionPlace& place) {
     if (angle >= 0 || random) return;
     angle = -angle;
     module.symbol = module.symbol == "+" ? "-" : "+";
+}
+
+double with_digits(double value, int digits) {
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    double result = value;
+    std::from_chars(text.data(), end.ptr, result);
+    return result == 0 ? 0 : result;
 }
 
 void set_canvas(Box& box, int index, double value) {
@@ -67,16 +94,18 @@ void set_canvas(Box& box, int index, double value) {
 
 double rounded(double value) {
     constexpr int digits = 15;  // what a double always holds
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
-    double result = value;
-    std::from_chars(text, end.ptr, result);
-    return result == 0 ? 0 : result;
+    return with_digits(value, digits);
+}
+
+std::string short_text(double value) {
+    constexpr int digits = 6;
+    return number_text(with_digits(value, digits));
 }
 
 Grammar with_slot(Grammar grammar, const NumberSlot& slot, const Expression& value) {
     if (slot.in == NumberSlot::In::expression) {
         grammar = with_part(std::move(grammar), slot.place, scaled(value, slot.slope, slot.offset));
+        set_sign_apart(grammar, slot.place);
         set_right_way_round(grammar, slot.place);
         return grammar;
     }

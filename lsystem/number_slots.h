@@ -11,6 +11,9 @@ namespace rinceau {
 /// The same number without the last digits that arithmetic leaves: 3.3 for 3 * 1.1.
 double rounded(double value);
 
+/// For a person to read: six digits.
+std::string short_text(double value);
+
 /// The grammar with slope * value + offset in the slot. A turn below 0 becomes one to the other side.
 Grammar with_slot(Grammar grammar, const NumberSlot& slot, const Expression& value);
 

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 GrammarNumber plain(std::string name, double value, NumberKind kind, NumberRank rank, std::string help) {
     GrammarNumber number;
     number.name = std::move(name);
@@ -54,6 +52,7 @@ void add_constants(const Grammar& grammar, const Scope& constants, std::vector<G
         const std::string uses = uses_of_constant(static_cast<int>(i), numbers);
         const auto lines = comment_lines(constant.comment);
         std::string help = lines.empty() ? "a constant" : lines.front();
+        if (help.ends_with('.')) help.pop_back();
         if (!uses.empty()) help = lines.empty() ? uses : help + " (" + uses + ")";
         GrammarNumber number = plain(constant.name, *value, NumberKind::other, NumberRank::rule, help);
         for (const GrammarNumber& other : numbers) {
@@ -63,11 +62,8 @@ void add_constants(const Grammar& grammar, const Scope& constants, std::vector<G
             number.whole = other.whole;
         }
         const int size = static_cast<int>(constant.value.postfix.size());
-        number.slots = {{NumberSlot::In::expression,
-                         {ExpressionPlace::In::constant, static_cast<int>(i), {}, 0, 0, 0, size},
-                         0,
-                         1,
-                         0}};
+        number.slots = {
+            {NumberSlot::In::expression, {ExpressionPlace::In::constant, static_cast<int>(i), {}, 0, 0, 0, size}, 0, 1, 0}};
         describe_written(grammar, constant.value, number);
         found.push_back(std::move(number));
     }
@@ -95,8 +91,8 @@ void add_conditions(const Grammar& grammar, const Scope& constants, const std::v
         const Scope scope = constants_in(grammar, constants, string);
         const std::string name = name_of_string(grammar, string);
         if (production.weight)
-            add(*production.weight, {ExpressionPlace::In::weight, index, {}, 0, 0, 0, 0}, name + ".weight",
-                NumberRank::rule, "how often, beside the other productions of " + production.symbol, scope);
+            add(*production.weight, {ExpressionPlace::In::weight, index, {}, 0, 0, 0, 0}, name + ".weight", NumberRank::rule,
+                "how often, beside the other productions of " + production.symbol, scope);
         const bool counted =
             std::ranges::any_of(loops, [&](const RuleLoop& loop) { return loop.production == index && loop.up; });
         if (production.condition && !counted)
@@ -151,9 +147,17 @@ void add_picture(const Grammar& grammar, std::vector<GrammarNumber>& numbers) {
 
 void make_unique(std::vector<GrammarNumber>& numbers) {
     std::map<std::string, int> counts;
+    for (const GrammarNumber& number : numbers) ++counts[number.name];
+    std::map<std::string, int> seen;
     for (GrammarNumber& number : numbers) {
-        const int count = ++counts[number.name];
-        if (count > 1) number.name += '.' + std::to_string(count);
+        if (++seen[number.name] == 1) continue;
+        std::string name;
+        do {
+            name = number.name + '.' + std::to_string(seen[number.name]++);
+        } while (counts.contains(name));
+        counts[name] = 1;
+        --seen[number.name];
+        number.name = std::move(name);
     }
 }
 

@@ -36,7 +36,7 @@ struct GrammarNumber {
     std::string unit;  ///< "degrees", or empty
     std::string help;  ///< what it means, in words
     bool whole = false;
-    double low = 0, high = 0;        ///< range of values that make sense; both may be infinite
+    double low = 0, high = 0;  ///< range of values that make sense; both may be infinite
     NumberRank rank = NumberRank::detail;
     std::vector<NumberSlot> slots;   ///< setting the number writes all of them
     std::vector<std::string> parts;  ///< a number of several that differ: setting it sets these instead

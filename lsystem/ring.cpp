@@ -95,7 +95,7 @@ std::optional<double> turn_of(const Grammar& grammar, const RuleLoop& loop, cons
     const Scope scope = steady_scope(grammar, loop, use);
     Stillness stillness(grammar);
     double sum = 0;
-    for (const int position : loop.continuations.front().way) {
+    for (const int position : way_to(string, loop.continuations.front().symbol)) {
         const ModuleTemplate& module = string[at(position)];
         if (module.symbol == "|") return {};
         if (const int sign = turn_sign(module); sign != 0) {

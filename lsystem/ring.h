@@ -12,9 +12,9 @@ namespace rinceau {
 struct Ring {
     RuleLoop loop;
     LoopUse use;
-    double elements = 0;      ///< the count, and one more if something is drawn at the end
-    double turn = 0;          ///< degrees from one to the next, to the left
-    double full_turns = 0;    ///< elements * |turn| / 360
+    double elements = 0;    ///< the count, and one more if something is drawn at the end
+    double turn = 0;        ///< degrees from one to the next, to the left
+    double full_turns = 0;  ///< elements * |turn| / 360
 };
 
 /// Degrees to the left from one element to the next, for this use; nothing if it changes along the way or is not known.

@@ -94,9 +94,8 @@ class LoopFinder {
     }
 
     bool has_drawn_end(const Production& production) const {
-        const bool drawn = std::ranges::any_of(grammar_.terminals, [&](const Terminal& terminal) {
-            return terminal.symbol == production.symbol;
-        });
+        const bool drawn = std::ranges::any_of(
+            grammar_.terminals, [&](const Terminal& terminal) { return terminal.symbol == production.symbol; });
         return drawn || std::ranges::any_of(grammar_.productions, [&](const Production& other) {
                    return &other != &production && other.symbol == production.symbol && !other.successor.empty() &&
                           other.parameters.size() == production.parameters.size();
@@ -133,11 +132,17 @@ std::vector<LoopUse> uses_of(const Grammar& grammar, const RuleLoop& loop) {
         const auto& string = string_at(grammar, place);
         const Scope scope = constants_in(grammar, constants, place);
         for (std::size_t i = 0; i < string.size(); ++i) {
-            if (string[i].symbol != production.symbol || string[i].arguments.size() != production.parameters.size()) continue;
+            if (string[i].symbol != production.symbol || string[i].arguments.size() != production.parameters.size())
+                continue;
             const Expression& argument = string[i].arguments[static_cast<std::size_t>(loop.parameter)];
             LoopUse use{place, static_cast<int>(i), {}, {}, loop.law};
             std::optional<double> written = value_of(argument, scope);
-            use.written = {ExpressionPlace::In::module, 0, place, static_cast<int>(i), loop.parameter, 0,
+            use.written = {ExpressionPlace::In::module,
+                           0,
+                           place,
+                           static_cast<int>(i),
+                           loop.parameter,
+                           0,
                            static_cast<int>(argument.postfix.size())};
             if (loop.up && written) {
                 use.law.offset += *written;

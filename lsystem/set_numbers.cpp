@@ -69,9 +69,11 @@ class NumberSetter {
         std::vector<const GrammarNumber*> found;
         const bool pattern = name.find('*') != std::string::npos;
         for (const GrammarNumber& number : numbers) {
-            const bool fits = pattern ? number.rank != NumberRank::hidden && fits_name(name, number.name) : number.name == name;
-            if (!fits) continue;
-            if (number.parts.empty()) found.push_back(&number);
+            const bool other_way_to_say = number.rank == NumberRank::hidden && number.constant < 0;
+            if (pattern ? other_way_to_say || !fits_name(name, number.name) : number.name != name) continue;
+            const bool again = std::ranges::any_of(
+                found, [&](const GrammarNumber* other) { return other->slots.front() == number.slots.front(); });
+            if (number.parts.empty() && !again) found.push_back(&number);
             for (const std::string& part : number.parts)
                 found.push_back(&*std::ranges::find(numbers, part, &GrammarNumber::name));
         }
@@ -84,8 +86,8 @@ class NumberSetter {
         const auto given = value_of(edit.value, constants);
         const bool is_number = std::ranges::none_of(
             edit.value.postfix, [](const Expression::Node& node) { return node.op == Expression::Op::name; });
-        const bool as_written = edit.how == How::set && (!given || !is_number) &&
-                                number.slots.front().in == NumberSlot::In::expression;
+        const bool as_written =
+            edit.how == How::set && (!given || !is_number) && number.slots.front().in == NumberSlot::In::expression;
         if (!as_written && !given)
             throw InputError({}, "expected a value of " + number.name + " that is a number, found " + to_text(edit.value));
         const double value = given ? combined(number.value, edit.how, *given) : number.value;
@@ -118,11 +120,13 @@ class NumberSetter {
         const bool fits_kind = number.kind == NumberKind::angle || (value >= number.low && value <= number.high);
         if (std::isfinite(value) && fits_kind && !scale_is_zero && (!number.whole || value == std::round(value))) return;
         std::string range = number.whole ? "a whole number" : "a number";
-        if (number.kind == NumberKind::scale) range += " above 0";
-        else if (std::isfinite(number.low) && number.kind != NumberKind::angle) range += " from " + number_text(number.low) + " up";
+        if (number.kind == NumberKind::scale)
+            range += " above 0";
+        else if (std::isfinite(number.low) && number.kind != NumberKind::angle)
+            range += " from " + number_text(number.low) + " up";
         if (std::isfinite(number.high) && number.kind != NumberKind::angle) range += " to " + number_text(number.high);
-        throw InputError({}, "expected " + range + " for " + number.name + " (" + number.help + "), found " +
-                                 number_text(value));
+        throw InputError(
+            {}, "expected " + range + " for " + number.name + " (" + number.help + "), found " + number_text(value));
     }
 
     /// A constant uses constants above it only.
@@ -139,7 +143,7 @@ class NumberSetter {
     }
 
     void say(const GrammarNumber& number, const std::string& value) {
-        std::string old = number_text(rounded(number.value));
+        std::string old = short_text(number.value);
         if (!number.written.empty() && number.constant < 0) old = number.written + " (" + old + ")";
         if (old == value) return;
         std::string change = number.name + ' ' + old + " -> " + value;
@@ -160,17 +164,19 @@ void add_followers(const Grammar& before, const NumberSetter& setter, std::vecto
         if (std::ranges::find(setter.set_names_, number.name) != setter.set_names_.end()) continue;
         const auto same = std::ranges::find(old, number.name, &GrammarNumber::name);
         if (same == old.end() || same->value == number.value) continue;
-        const bool written_there = number.written.empty() && std::ranges::any_of(number.slots, [&](const NumberSlot& slot) {
-            return std::ranges::any_of(setter.set_slots_, [&](const NumberSlot& set) {
-                return set.in == slot.in && set.index == slot.index && same_expression(set.place, slot.place);
+        const bool written_there =
+            number.written.empty() && std::ranges::any_of(number.slots, [&](const NumberSlot& slot) {
+                return std::ranges::any_of(setter.set_slots_, [&](const NumberSlot& set) {
+                    return set.in == slot.in && set.index == slot.index && same_expression(set.place, slot.place);
+                });
             });
-        });
         if (written_there) continue;
-        const bool longer = std::ranges::any_of(names, [&](const std::string& name) {
+        // "axiom.Row.count" says no more than "Row.count"
+        const auto says_it = [&](const std::string& name) {
             return number.name.ends_with('.' + name.substr(0, name.find(' ')));
-        });
-        if (longer) continue;
-        names.push_back(number.name + ' ' + number_text(rounded(same->value)) + " -> " + number_text(rounded(number.value)));
+        };
+        if (std::ranges::any_of(names, says_it) || std::ranges::any_of(setter.set_names_, says_it)) continue;
+        names.push_back(number.name + ' ' + short_text(same->value) + " -> " + short_text(number.value));
     }
     if (names.empty()) return;
     std::string text = "with it: ";

@@ -44,17 +44,17 @@ std::string stem_of(const std::string& role) { return role.substr(0, role.find('
 /// In words, for the way to `target`; empty = from one to the next.
 std::string help_of(const std::string& role, const std::string& target, double sideways_sign) {
     const std::string stem = stem_of(role);
-    const std::string to = target.empty() ? "from one to the next" : "to " + target;
-    if (stem == "turn") return "to the left, " + (target.empty() ? to : "on the way " + to);
-    if (stem == "spin") return "to the left after going, " + (target.empty() ? to : "before " + target);
-    if (stem == "distance") return to;
-    if (stem == "forward") return "ahead, " + to;
-    if (stem == "sideways") return (sideways_sign > 0 ? "to the left, " : "to the right, ") + to;
-    if (stem == "scale") return target.empty() ? "times as large, each to the one before" : "times as large, " + target;
-    if (stem == "style") return "the style of " + (target.empty() ? "what follows" : target);
-    if (stem == "layer") return "layers up, " + (target.empty() ? to : target);
-    if (stem == "direction") return "to the left, the direction " + (target.empty() ? to : to) + "; nothing is turned";
-    if (stem == "rotation") return "to the left in all, " + (target.empty() ? to : "of " + target);
+    const bool next = target.empty();
+    const std::string to = next ? "from one to the next" : "to " + target;
+    if (stem == "turn") return next ? to : "before going " + to;
+    if (stem == "spin") return "after going " + to;
+    if (stem == "forward") return "ahead " + to;
+    if (stem == "sideways") return (sideways_sign > 0 ? "leftwards " : "rightwards ") + to;
+    if (stem == "scale") return next ? "times as large, each as the one before" : "times as large, " + target;
+    if (stem == "style") return "style of " + (next ? "what follows" : target);
+    if (stem == "layer") return "layers up, " + (next ? to : target);
+    if (stem == "direction") return "of the way " + to + ", with all angles kept";
+    if (stem == "rotation") return next ? "in all, " + to : "in all, of " + target;
     return to;
 }
 
@@ -229,8 +229,7 @@ class StringNumbers {
             here.rank = where.rank == NumberRank::rule ? NumberRank::part : where.rank;
             const std::size_t before = result_.size();
             add_expression(module.arguments[i], {position, argument, 1}, here, role, NumberKind::other);
-            for (std::size_t k = before; k < result_.size(); ++k)
-                result_[k].help = "of " + module.symbol;
+            for (std::size_t k = before; k < result_.size(); ++k) result_[k].help = "of " + module.symbol;
         }
     }
     bool is_count(const StringPlace& string, int position, int argument) const {
@@ -273,7 +272,8 @@ std::string name_of_string(const Grammar& grammar, const StringPlace& place) {
     return before == 0 ? symbol : symbol + ".case" + std::to_string(before + 1);
 }
 
-std::vector<GrammarNumber> string_numbers(const Grammar& grammar, const Scope& constants, const std::vector<RuleLoop>& loops) {
+std::vector<GrammarNumber> string_numbers(const Grammar& grammar, const Scope& constants,
+                                          const std::vector<RuleLoop>& loops) {
     return StringNumbers(grammar, constants, loops).list();
 }
 

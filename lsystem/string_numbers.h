@@ -14,7 +14,8 @@ namespace rinceau {
 std::string name_of_string(const Grammar& grammar, const StringPlace& place);
 
 /// Turns, distances, scales, arguments: all but counts of loops. `constants` are the grammar's.
-std::vector<GrammarNumber> string_numbers(const Grammar& grammar, const Scope& constants, const std::vector<RuleLoop>& loops);
+std::vector<GrammarNumber> string_numbers(const Grammar& grammar, const Scope& constants,
+                                          const std::vector<RuleLoop>& loops);
 
 /// The counts: "Row.count", or "axiom.Row.count" and "Wall.Row.count" where they differ; "levels" for what branches.
 std::vector<GrammarNumber> count_numbers(const Grammar& grammar, const std::vector<RuleLoop>& loops);
