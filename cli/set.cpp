@@ -45,7 +45,7 @@ int set(const SetVerbOptions& options) {
 void add_set(CLI::App& program, Job& job) {
     const auto [verb, options] = add_verb<SetVerbOptions>(
         program, job, "set", "List the numbers of a grammar by name, or change them",
-        "rinceau set samples/rosette.lsys\n  rinceau set samples/rosette.lsys Pearls.count=24 Outer.count+=4 -o wide.lsys",
+        "rinceau set samples/rosette.lsys Pearls.count=24 Outer.count+=4 -o wide.lsys",
         set);
     add_edit_options(*verb, options->files);
     verb->add_option(
