@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
     add_check(program, job);
     add_export(program, job);
     add_set(program, job);
+    add_randomize(program, job);
     add_normalize(program, job);
     add_replace(program, job);
     add_inkscape(program, job);
