@@ -150,6 +150,8 @@ void add_replace(CLI::App& program, Job& job) {
         ->delimiter(',')
         ->expected(1)
         ->take_all();
+    verb->add_flag("--restyle", options->replace.restyle,
+                   "Paint what comes from elsewhere in the style that is in force where it is put");
     verb->add_flag("--keep", options->replace.keep, "Keep rules, outlines and styles that nothing uses any more");
     add_derive_options(*verb, options->replace.derive);
 }

@@ -64,7 +64,7 @@ ModuleTemplates without_idle_brackets(const ModuleTemplates& string) {
 /// What is known of all instances of one written module.
 struct WrittenModule {
     std::set<std::vector<double>> numbers;  ///< with which it stands
-    bool coloured = false;                  ///< in a style that is in force
+    std::vector<Colouring> colourings;      ///< in force there
 };
 
 /// One replacement while it is made.
@@ -146,7 +146,8 @@ class Replacer {
         for (const Instance& instance : task.measured) {
             WrittenModule& module = task.modules[{instance.string, instance.position}];
             if (instance.measured) module.numbers.insert(instance.arguments);
-            module.coloured = module.coloured || instance.style != 0;
+            if (std::ranges::count(module.colourings, instance.colouring) == 0)
+                module.colourings.push_back(instance.colouring);
         }
     }
 
@@ -224,7 +225,12 @@ class Replacer {
         }
         if (!seat) seat = seat_of_unmeasured(task, module);
         note_scale(task, *seat);
-        return seated(content_string(task.content, module), *seat, written.coloured && task.content.foreign, last);
+        return seated(content_string(task.content, module), *seat, taken_back(task, written.colourings), last);
+    }
+
+    /// What comes from elsewhere keeps its own colours.
+    ModuleTemplates taken_back(const Task& task, const std::vector<Colouring>& colourings) const {
+        return task.content.foreign && !options_.restyle ? without_colouring(colourings) : ModuleTemplates{};
     }
 
     const Seat& seat_for(Task& task, const std::vector<double>& arguments) {
@@ -262,9 +268,9 @@ class Replacer {
                                            [&](const std::string& wanted) { return std::ranges::count(known, wanted) > 0; });
         const std::vector<std::string> parameters = parameter_names(old, count);
         std::set<std::vector<double>> sets;
-        bool coloured = false;
+        std::vector<Colouring> colourings;
         for (const auto& [place, module] : task.modules) {
-            coloured = coloured || module.coloured;
+            colourings.insert(colourings.end(), module.colourings.begin(), module.colourings.end());
             for (const std::vector<double>& numbers : module.numbers) {
                 if (numbers.size() == count) sets.insert(numbers);
             }
@@ -275,7 +281,7 @@ class Replacer {
             Production production{.symbol = name, .parameters = parameters};
             if (numbers != *sets.rbegin()) production.condition = equals(parameters, numbers);
             const ModuleTemplates content = content_string(task.content, with_arguments(old, numbers));
-            production.successor = seated(content, seat, coloured && task.content.foreign, false);
+            production.successor = seated(content, seat, taken_back(task, colourings), false);
             result_.productions.push_back(std::move(production));
         }
         return name;
@@ -335,7 +341,7 @@ class Replacer {
         note_scale(task, seat);
         const ModuleTemplate module = with_arguments(task.replacement->symbol, instance.arguments);
         const ModuleTemplates part =
-            seated(content_string(task.content, module), seat, instance.style != 0 && task.content.foreign, false);
+            seated(content_string(task.content, module), seat, taken_back(task, {instance.colouring}), false);
         if (instance.string.kind != StringPlace::Kind::exception) {
             result_.exceptions.push_back({.address = instance.address, .successor = part});
             return;

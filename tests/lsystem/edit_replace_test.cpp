@@ -312,6 +312,11 @@ TEST_CASE("A style in force does not colour what comes from elsewhere") {
     const EditResult result = replace_symbols(grammar_of(text), {drawing("Window", {outline({{0, 0}, {1, 1}}, {1, 2, 3})})});
     const Scene scene = to_scene(result.grammar, interpret(result.grammar));
     CHECK(std::get<Color>(scene.elements.at(0).style.fill) == Color{1, 2, 3});
+
+    const EditResult restyled =
+        replace_symbols(grammar_of(text), {drawing("Window", {outline({{0, 0}, {1, 1}}, {1, 2, 3})})}, {.restyle = true});
+    const Scene red = to_scene(restyled.grammar, interpret(restyled.grammar));
+    CHECK(std::get<Color>(red.elements.at(0).style.fill) == Color{255, 0, 0});
 }
 
 TEST_CASE("What nothing uses any more goes, unless it is kept or was never used") {
