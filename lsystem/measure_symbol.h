@@ -49,8 +49,8 @@ struct Instance {
     std::vector<int> address;
     std::vector<double> arguments;
     bool measured =
-        true;       ///< false: it stands in the drawing only (a homomorphism has put it there), its arguments are unknown
-    int style = 0;  ///< in force before it
+        true;  ///< false: it stands in the drawing only (a homomorphism has put it there), its arguments are unknown
+    Colouring colouring;  ///< in force before it
 };
 
 /// Where `symbol` stands in the derivation of a grammar when no symbol of `stopped` is rewritten (`symbol` is one of them),

@@ -340,3 +340,51 @@ TEST_CASE("Faults are named with their cure") {
         message_of("axiom: A [B]\nA < B -> [A]\nterminal A: path \"M0 0H1\"\nterminal B: path \"M0 0H1\"", {own("A", "B")}),
         Contains("a symbol that is no context"));
 }
+
+TEST_CASE("Colours in force do not paint what comes from elsewhere, and what the old thing left in force stays") {
+    const std::string text =
+        "axiom: fill(255, 0, 0) Pot Window\nPot -> Window fill(0, 0, 255)\n"
+        "terminal Window: path \"M-10 -20H10V0H-10Z\"\n";
+    const EditResult result = replace_symbols(grammar_of(text), {drawing("Pot", {outline({{0, 0}, {1, 1}}, {1, 2, 3})})});
+    const Scene scene = to_scene(result.grammar, interpret(result.grammar));
+    REQUIRE(scene.elements.size() == 2);
+    CHECK(std::get<Color>(scene.elements[0].style.fill) == Color{1, 2, 3});
+    CHECK(std::get<Color>(scene.elements[1].style.fill) == Color{0, 0, 255});
+}
+
+TEST_CASE("Random numbers elsewhere stay as they are") {
+    const std::string text =
+        "seed 3\naxiom: Row(5)\n"
+        "Row(m) : m > 0 -> [+(uniform(-9, 9)) Window] f(uniform(5, 9)) Post [f(normal(0, 3)) Door] f(uniform(10, 15)) "
+        "Row(m-1)\n"
+        "terminal Window: path \"M-10 -20H10V0H-10Z\"\nterminal Door: path \"M-5 -40H5V0H-5Z\"\n"
+        "terminal Post: path \"M-1 -40H1V0H-1Z\"\n";
+    const Grammar before = grammar_of(text);
+    for (const std::string with : {"", "Door", "[*(2) Door] Door"}) {
+        CAPTURE(with);
+        const EditResult result = replace_symbols(before, {own("Window", with), own("Post", with)});
+        std::vector<Placement> doors = placements_of(result.grammar, "Door");
+        const std::vector<Placement> old_doors = placements_of(before, "Door");
+        for (const Placement& old_door : old_doors) {
+            CHECK(std::ranges::any_of(doors, [&](const Placement& door) {
+                return abs(door.pose.translation - old_door.pose.translation) < 1e-9 &&
+                       abs(door.pose.linear - old_door.pose.linear) < 1e-9;
+            }));
+        }
+    }
+    CHECK_THAT(message_of("axiom: Path Door\nPath -> Door f(uniform(1, 2))\nterminal Door: path \"M-5 -40H5V0H-5Z\"",
+                          {own("Path", "Door")}),
+               Contains("found a way of random numbers"));
+}
+
+TEST_CASE("What only stands in the drawing is replaced, too") {
+    const std::string text =
+        "axiom: Bud f(9) Bud\nhomomorphism Bud -> [+(30) Window]\n"
+        "terminal Window: path \"M-10 -20H10V0H-10Z\"\nterminal Door: path \"M-5 -40H5V0H-5Z\"\n";
+    const Grammar before = grammar_of(text);
+    const EditResult result = replace_symbols(before, {own("Window", "Door")}, {.fit = ReplaceFit::none});
+    check_same_poses(placements_of(result.grammar, "Door"), placements_of(before, "Window"));
+    const EditResult buds = replace_symbols(before, {own("Bud", "Door")}, {.fit = ReplaceFit::none});
+    CHECK(placements_of(buds.grammar, "Door").size() == 2);
+    CHECK(buds.grammar.productions.empty());
+}
