@@ -7,9 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "lsystem/interpret.h"
 #include "lsystem/measure_symbol.h"
-#include "lsystem/near_name.h"
 #include "lsystem/number_text.h"
 #include "lsystem/replacement_content.h"
 #include "lsystem/replacement_seats.h"
@@ -107,7 +105,6 @@ class Replacer {
         for (const Task& task : tasks_) changes_.push_back(description(task));
         if (dropped_ > 0) changes_.push_back(counted(dropped_, "exception") + " below what was replaced removed");
         if (!options_.keep) remove_leftovers();
-        expect_drawable();
         return {std::move(result_), std::move(changes_)};
     }
 
@@ -129,7 +126,7 @@ class Replacer {
             throw InputError({}, "expected a symbol to replace, found '" + symbol + "', a command of the turtle");
         const std::vector<std::string> known = symbols_of(before_);
         if (std::ranges::count(known, symbol) == 0)
-            throw InputError({}, "expected a symbol of the grammar, found '" + symbol + "'" + instead_of(symbol, known));
+            throw InputError({}, "expected a symbol of the grammar, found '" + symbol + "'" + instead_of(symbol, before_));
         for (const Production& production : before_.productions) {
             if (!is_context(production, symbol)) continue;
             throw InputError(production.place, "expected a symbol that is no context, found " + symbol +
@@ -402,11 +399,6 @@ class Replacer {
         throw InputError(production.place, "expected something that does not draw " + symbol + " itself in the place of " +
                                                symbol + ", found " + label + ": its " + production.symbol +
                                                " would hold itself without end; take a copy, FILE.lsys#" + label);
-    }
-
-    void expect_drawable() const {
-        visit_placements(options_.resolve ? options_.resolve(result_) : result_, {.derive = options_.derive},
-                         [](const Placement&) {});
     }
 
     std::string description(const Task& task) const {

@@ -299,6 +299,17 @@ TEST_CASE("Parts of another grammar come along under names that do not clash, an
     }
 }
 
+TEST_CASE("The exceptions of another grammar come along with all of it") {
+    const Grammar donor = grammar_of(
+        "axiom: Row(4)\nRow(m) : m > 0 -> [Tick] f(3) Row(m-1)\nexcept 1.2 -> *(2) Tick\nexcept 1.3 ->\n"
+        "terminal Tick: path \"M-1 -1H1V1H-1Z\"\n");
+    const EditResult result =
+        replace_symbols(grammar_of(windows), {{"Door", OtherGrammar{donor, {}, "Ticks"}, "ticks.lsys"}});
+    const auto ticks = placements_of(result.grammar, "Tick");
+    REQUIRE(ticks.size() == 3);
+    CHECK(scale_of(ticks[1].pose) == Approx(2 * scale_of(ticks[0].pose)));
+}
+
 TEST_CASE("A copy of a symbol may hold what it draws itself") {
     const Grammar before = grammar_of(windows);
     const EditResult result = replace_symbols(
@@ -329,9 +340,9 @@ TEST_CASE("What nothing uses any more goes, unless it is kept or was never used"
 }
 
 TEST_CASE("Faults are named with their cure") {
-    CHECK_THAT(message_of(windows, {own("Windov", "Door")}), Contains("found 'Windov': did you mean 'Window'?"));
-    CHECK_THAT(message_of(windows, {own("Window", "door")}), Contains("found 'door': did you mean 'Door'?"));
-    CHECK_THAT(message_of(windows, {own("Zebra", "Door")}), Contains("there is Row, Window, Door"));
+    CHECK_THAT(message_of(windows, {own("Windov", "Door")}), Contains("found 'Windov' (did you mean 'Window'?)"));
+    CHECK_THAT(message_of(windows, {own("Window", "door")}), Contains("found 'door' (did you mean 'Door'?)"));
+    CHECK_THAT(message_of(windows, {own("Zebra", "Door")}), Contains("there are Row, Window, Door"));
     CHECK_THAT(message_of(windows, {own("f", "Door")}), Contains("a command of the turtle"));
     CHECK_THAT(message_of(windows, {drawing("Window", {})}), Contains("a drawing with something in it"));
     CHECK_THAT(message_of(windows, {own("Window", "Row")}), Contains("would hold itself without end"));
