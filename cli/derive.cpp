@@ -19,7 +19,7 @@ struct DeriveVerbOptions {
 
 int derive_string(const DeriveVerbOptions& options) {
     expect_writable(options.output);
-    const Grammar grammar = parse_grammar(read_input(options.input), input_label(options.input));
+    const Grammar grammar = read_grammar(options.input);
     std::string text;
     {
         ProgressBar bar;

@@ -38,7 +38,7 @@ std::string companion_name(const std::string& output, const std::string& ending)
 
 int export_rules(const ExportVerbOptions& options) {
     expect_writable(options.output);
-    const Grammar grammar = parse_grammar(read_input(options.input), input_label(options.input));
+    const Grammar grammar = read_grammar(options.input);
     const Export result =
         find_export_format(options.format)
             ->write(grammar, {.derive = options.derive, .name = name_of(options.input), .live_random = options.live_random});

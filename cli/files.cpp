@@ -15,6 +15,8 @@
 #include <utility>
 
 #include "cli/exit_status.h"
+#include "lsystem/grammar_text.h"
+#include "lsystem/resolve_uses.h"
 #include "scene/input_error.h"
 
 namespace rinceau {
@@ -146,6 +148,10 @@ std::string read_input(const std::string& name) {
     if (file.number() < 0) throw InputError({label}, "cannot be read: " + reason(errno));
     return read_all(file.number(), label);
 }
+
+Grammar read_grammar_as_written(const std::string& name) { return parse_grammar(read_input(name), input_label(name)); }
+
+Grammar read_grammar(const std::string& name) { return resolve_uses(read_grammar_as_written(name), read_input); }
 
 void write_output(const std::string& name, std::string_view bytes) {
     if (is_standard_stream(name)) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "lsystem/grammar.h"
+
 namespace rinceau {
 
 /// How an input is called in messages: its name, or "<stdin>" for "-".
@@ -12,6 +14,14 @@ std::string input_label(const std::string& name);
 /// The whole content of a file; "-" = standard input. Throws InputError if it cannot be read, LimitError if it is larger
 /// than any drawing that can be analysed.
 std::string read_input(const std::string& name);
+
+/// The grammar of a file as its text says, its uses kept: for edits. Throws as read_input, and InputError at its first
+/// mistake.
+Grammar read_grammar_as_written(const std::string& name);
+
+/// The grammar of a file with all that it uses (resolve_uses.h): for deriving, drawing and exporting. Throws in the same
+/// way.
+Grammar read_grammar(const std::string& name);
 
 /// Puts `bytes` in the place of the file `name`; "" or "-" = standard output. A regular file is written beside its name and
 /// renamed, signals that would end the program wait meanwhile: either the old content stands there or the new one, and

@@ -32,7 +32,7 @@ FileFormat picture_format(const RenderOptions& options) {
 }
 
 std::string drawn_svg(const RenderOptions& options) {
-    const Grammar grammar = parse_grammar(read_input(options.input), input_label(options.input));
+    const Grammar grammar = read_grammar(options.input);
     ProgressBar bar;
     // A level is the length of an address.
     const bool addresses = options.color_by == ColorBy::level;

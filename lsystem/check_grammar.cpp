@@ -8,8 +8,7 @@
 #include "lsystem/check_strings.h"
 #include "lsystem/compile.h"
 #include "lsystem/grammar_text.h"
-#include "lsystem/parse_statement.h"
-#include "lsystem/statement.h"
+#include "lsystem/parse_text.h"
 #include "lsystem/stream.h"
 
 namespace rinceau {
@@ -50,13 +49,11 @@ std::vector<std::string> names_in(const Production& production) {
 class GrammarChecker {
   public:
     GrammarChecker(std::string_view text, const std::string& file_name) : file_name_(file_name) {
-        StatementList list = split_statements(text, file_name);
-        warnings_ = std::move(list.faults);
-        for (const Statement& statement : list.statements) parse(statement);
+        state_ = parse_text(text, file_name);
+        warnings_ = state_.mistakes;
     }
 
     std::vector<Warning> check() {
-        if (!state_.versioned) warn({file_name_, 1, 1}, "expected 'lsystem 1' as the first statement, found an empty text");
         names_.emplace(grammar());
         check_constants();
         check_axiom();
@@ -78,20 +75,10 @@ class GrammarChecker {
     /// Of the productions so far, by symbol and number of parameters: the line of the one without a condition.
     std::map<std::pair<std::string_view, std::size_t>, std::optional<int>> unconditional_;
     std::map<std::vector<int>, int> exception_lines_;  // by address
-    bool axiom_is_faulty_ = false;
     std::vector<Warning> warnings_;
 
     const Grammar& grammar() const { return state_.grammar; }
     void warn(const SourcePlace& place, const std::string& message) { warnings_.push_back({place, message}); }
-
-    void parse(const Statement& statement) {
-        try {
-            parse_statement(statement, state_);
-        } catch (const InputError& error) {
-            warnings_.push_back(warning_of(error));
-            axiom_is_faulty_ = axiom_is_faulty_ || statement.text.starts_with("axiom");
-        }
-    }
 
     void check_constants() {
         for (const Constant& constant : grammar().constants) {
@@ -112,7 +99,7 @@ class GrammarChecker {
     }
 
     void check_axiom() {
-        if (grammar().axiom.empty() && !axiom_is_faulty_) {
+        if (!state_.lines.contains("axiom")) {
             warn({file_name_, 1, 1}, "expected an axiom, such as 'axiom: A', found none: nothing would be drawn");
         }
         check_string_here(grammar().axiom);

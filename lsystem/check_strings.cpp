@@ -8,13 +8,6 @@
 
 namespace rinceau {
 
-Warning warning_of(const InputError& error) {
-    const std::string front = located(error.place(), "");
-    std::string message = error.what();
-    if (message.starts_with(front)) message.erase(0, front.size());
-    return {error.place(), message};
-}
-
 KnownNames::KnownNames(const Grammar& grammar) : styles(grammar) {
     for (const Terminal& terminal : grammar.terminals) terminals.insert(terminal.symbol);
     for (const Production& production : grammar.productions) {

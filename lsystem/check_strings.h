@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "lsystem/grammar.h"
+#include "lsystem/mistakes.h"
 #include "lsystem/program.h"
 #include "lsystem/style_table.h"
 
 namespace rinceau {
-
-/// The message of an error without its place.
-Warning warning_of(const InputError& error);
 
 /// What the strings of a grammar may refer to. Refers to the grammar, which must outlive it and stay as it is.
 struct KnownNames {

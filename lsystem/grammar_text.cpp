@@ -4,7 +4,7 @@
 
 #include "lsystem/number_text.h"
 #include "lsystem/parse_production.h"
-#include "lsystem/parse_statement.h"
+#include "lsystem/parse_text.h"
 #include "lsystem/statement.h"
 #include "lsystem/style_text.h"
 #include "scene/svg_write.h"
@@ -12,17 +12,9 @@
 namespace rinceau {
 
 Grammar parse_grammar(std::string_view text, const std::string& file_name) {
-    StatementList list = split_statements(text, file_name);
-    ParseState state;
-    for (const Statement& statement : list.statements) {
-        if (!list.faults.empty() && list.faults.front().place.line <= statement.place.line) break;
-        parse_statement(statement, state);
-    }
-    if (!list.faults.empty()) throw InputError(list.faults.front().place, list.faults.front().message);
-    if (!state.versioned)
-        throw InputError({file_name, 1, 1}, "expected 'lsystem 1' as the first statement, found an empty text");
-    state.grammar.comments.insert(state.grammar.comments.begin(), list.comments.begin(), list.comments.end());
-    return std::move(state.grammar);
+    ParseState state = parse_text(text, file_name);
+    if (state.mistakes.empty()) return std::move(state.grammar);
+    throw InputError(state.mistakes.front().place, state.mistakes.front().message);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "lsystem/similar_name.h"
 #include "lsystem/turtle_commands.h"
 
 namespace rinceau {
@@ -13,25 +14,40 @@ class ProductionReader {
   public:
     explicit ProductionReader(Scanner& scanner) : scanner_(scanner) {}
 
-    Production read() {
+    std::optional<Production> read() {
         production_.place = scanner_.place();
         production_.kind = kind();
-        read_predecessor();
-        if (scanner_.take(":")) production_.condition = scanner_.condition();
-        scanner_.expect("->");
-        production_.successor = scanner_.modules(":");
-        if (scanner_.take(":")) production_.weight = scanner_.expression_until("");
+        try {
+            read_predecessor();
+            if (scanner_.take(":")) production_.condition = scanner_.condition();
+            scanner_.expect("->");
+        } catch (const InputError& error) {
+            scanner_.keep(error);
+            pass_rest();
+            return std::nullopt;
+        }
+        read_successor();
         production_.comment = scanner_.statement().comment;
         return std::move(production_);
     }
 
   private:
-    static constexpr std::string_view what_begins =
-        "a statement: a production such as A -> .., or axiom, define, style, terminal, except, use";
+    static constexpr std::string_view what_begins = "a production's symbol, as in A -> ..";
 
     Scanner& scanner_;
     Production production_;
     std::set<std::string> parameters_;  // of the symbol and its context
+
+    void read_successor() {
+        production_.successor = scanner_.modules(":");
+        if (scanner_.take(":")) production_.weight = scanner_.expression_until("");
+    }
+    /// For its mistakes.
+    void pass_rest() {
+        if (!scanner_.skip_to("->")) return;
+        scanner_.expect("->");
+        read_successor();
+    }
 
     ProductionKind kind() {
         if (take_word(decomposition_word)) return ProductionKind::decomposition;
@@ -49,7 +65,8 @@ class ProductionReader {
         }
         if (modules.size() > 1) {
             throw InputError(modules[1].place, "expected one symbol before '->', found " + modules[1].symbol +
-                                                   " after it: write '<' behind a left context, '>' before a right one");
+                                                   " after it: write '<' behind a left context, '>' before a right one" +
+                                                   did_you_mean(modules[0].symbol, {decomposition_word, homomorphism_word}));
         }
         production_.symbol = std::move(modules.front().symbol);
         production_.parameters = std::move(modules.front().parameters);
@@ -96,6 +113,6 @@ class ProductionReader {
 
 }  // namespace
 
-Production parse_production(Scanner& scanner) { return ProductionReader(scanner).read(); }
+std::optional<Production> parse_production(Scanner& scanner) { return ProductionReader(scanner).read(); }
 
 }  // namespace rinceau

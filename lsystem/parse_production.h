@@ -1,6 +1,7 @@
 #pragma once
 // A production of a grammar's text. Internal to the folder.
 
+#include <optional>
 #include <string_view>
 
 #include "lsystem/grammar.h"
@@ -12,7 +13,8 @@ constexpr std::string_view decomposition_word = "decomposition";
 constexpr std::string_view homomorphism_word = "homomorphism";
 
 /// [decomposition | homomorphism] [left <] symbol(parameters) [> right] [: condition] -> modules [: weight].
+/// Nothing, if what stands before the successor could not be read; such mistakes are kept by the scanner.
 /// Throws InputError.
-Production parse_production(Scanner& scanner);
+std::optional<Production> parse_production(Scanner& scanner);
 
 }  // namespace rinceau

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <set>
 
+#include "lsystem/mistakes.h"
 #include "lsystem/number_text.h"
 #include "lsystem/parse_production.h"
 #include "lsystem/scanner.h"
+#include "lsystem/similar_name.h"
 #include "lsystem/style_text.h"
 #include "lsystem/turtle_commands.h"
 #include "scene/svg_path_data.h"
@@ -14,21 +18,34 @@ namespace rinceau {
 
 namespace {
 
+/// Every name in front of "->".
+void add_names(std::string_view text, std::set<std::string>& names) {
+    text = text.substr(0, text.find("->"));
+    for (std::size_t start = 0; start < text.size();) {
+        std::size_t end = start;
+        while (end < text.size() && continues_name(text[end])) ++end;
+        if (end > start) names.emplace(text.substr(start, end - start));
+        start = end + 1;
+    }
+}
+
 /// Comments before what keeps none of its own go to the top of the grammar.
 void keep_comment(const Statement& statement, Grammar& grammar) {
     const std::vector<std::string> lines = comment_lines(statement.comment);
     grammar.comments.insert(grammar.comments.end(), lines.begin(), lines.end());
 }
 
-void once(ParseState& state, const std::string& what, const SourcePlace& place) {
+/// False, and a mistake, if it stood before.
+bool once(Scanner& scanner, ParseState& state, const std::string& what, const SourcePlace& place) {
     const auto [first, added] = state.lines.try_emplace(what, place.line);
-    if (added) return;
-    throw InputError(
-        place, "expected '" + what + "' once, found it again (the first is in line " + std::to_string(first->second) + ")");
+    if (added) return true;
+    scanner.keep(InputError(place, "expected '" + what + "' once, found it again (the first is in line " +
+                                       std::to_string(first->second) + "): take one of them away"));
+    return false;
 }
 
 void parse_version(Scanner& scanner, ParseState& state) {
-    once(state, "lsystem", scanner.statement().place);
+    once(scanner, state, "lsystem", scanner.statement().place);
     const SourcePlace place = scanner.place();
     const int version = scanner.integer("the version 1 of the format");
     if (version != 1) throw InputError(place, "expected the version 1 of the format, found " + std::to_string(version));
@@ -37,7 +54,7 @@ void parse_version(Scanner& scanner, ParseState& state) {
 }
 
 void parse_title(Scanner& scanner, ParseState& state) {
-    once(state, "title", scanner.statement().place);
+    once(scanner, state, "title", scanner.statement().place);
     state.grammar.title = scanner.quoted();
     scanner.expect_end("the end of the line after the title");
     keep_comment(scanner.statement(), state.grammar);
@@ -45,7 +62,7 @@ void parse_title(Scanner& scanner, ParseState& state) {
 
 /// canvas x y width height | canvas corners left top right bottom | canvas none; then perhaps "unsized".
 void parse_canvas(Scanner& scanner, ParseState& state) {
-    once(state, "canvas", scanner.statement().place);
+    once(scanner, state, "canvas", scanner.statement().place);
     Box& canvas = state.grammar.canvas;
     if (!scanner.take("none")) {
         const bool corners = scanner.take("corners");
@@ -71,26 +88,38 @@ void parse_define(Scanner& scanner, ParseState& state) {
     scanner.expect("=");
     constant.value = scanner.expression_until("");
     constant.comment = scanner.statement().comment;
-    once(state, "define " + constant.name, constant.place);
-    state.grammar.constants.push_back(std::move(constant));
+    if (once(scanner, state, "define " + constant.name, constant.place))
+        state.grammar.constants.push_back(std::move(constant));
 }
 
 void parse_axiom(Scanner& scanner, ParseState& state) {
-    once(state, "axiom", scanner.statement().place);
+    const bool first = once(scanner, state, "axiom", scanner.statement().place);
     scanner.expect(":");
-    state.grammar.axiom = scanner.modules();
+    std::vector<ModuleTemplate> axiom = scanner.modules();
+    if (first) state.grammar.axiom = std::move(axiom);
     keep_comment(scanner.statement(), state.grammar);
+}
+
+void read_address(Scanner& scanner, std::vector<int>& address) {
+    do {
+        const SourcePlace place = scanner.place();
+        address.push_back(scanner.integer("an address such as 1.2.3"));
+        if (address.back() < 1) throw InputError(place, "expected numbers from 1 in an address, found 0");
+    } while (scanner.take("."));
+    scanner.expect("->");
 }
 
 void parse_exception(Scanner& scanner, ParseState& state) {
     Exception exception;
     exception.place = scanner.statement().place;
-    do {
-        const SourcePlace place = scanner.place();
-        exception.address.push_back(scanner.integer("an address such as 1.2.3"));
-        if (exception.address.back() < 1) throw InputError(place, "expected numbers from 1 in an address, found 0");
-    } while (scanner.take("."));
-    scanner.expect("->");
+    try {
+        read_address(scanner, exception.address);
+    } catch (const InputError& error) {
+        scanner.keep(error);
+        if (scanner.skip_to("->")) scanner.expect("->");
+        scanner.modules();
+        return;
+    }
     exception.successor = scanner.modules();
     exception.comment = scanner.statement().comment;
     state.grammar.exceptions.push_back(std::move(exception));
@@ -104,8 +133,8 @@ void parse_numbered_style(Scanner& scanner, ParseState& state) {
     scanner.expect(":");
     style.style = parse_style(scanner);
     style.comment = scanner.statement().comment;
-    once(state, "style " + std::to_string(style.number), style.place);
-    state.grammar.styles.push_back(std::move(style));
+    if (once(scanner, state, "style " + std::to_string(style.number), style.place))
+        state.grammar.styles.push_back(std::move(style));
 }
 
 std::vector<Path> parse_outline(Scanner& scanner) {
@@ -143,7 +172,8 @@ void parse_terminal_part(Scanner& scanner, Terminal& terminal, bool& whole) {
         terminal.verbatim = scanner.statement().verbatim;
         whole = true;
     } else {
-        throw InputError(place, "expected style, path, id, box or verbatim, found '" + part + "'");
+        throw InputError(place, "expected style, path, id, box or verbatim, found '" + part + "'" +
+                                    did_you_mean(part, {"style", "path", "id", "box", "verbatim"}));
     }
 }
 
@@ -154,24 +184,36 @@ void parse_terminal(Scanner& scanner, ParseState& state) {
     if (find_turtle_command(terminal.symbol) != nullptr) {
         throw InputError(terminal.place, "expected a symbol of your own, found the command '" + terminal.symbol + "'");
     }
+    const bool first = once(scanner, state, "terminal " + terminal.symbol, terminal.place);
+    state.spoilt.insert(terminal.symbol);
     scanner.expect(":");
     bool whole = false;
     while (!scanner.at_end() && !whole) {
-        parse_terminal_part(scanner, terminal, whole);
-        if (!whole && !scanner.take(";")) scanner.expect_end("';' before the next part of the terminal");
+        scanner.piece([&] {
+            parse_terminal_part(scanner, terminal, whole);
+            if (!whole && !scanner.peek(";")) scanner.expect_end("';' before the next part of the terminal");
+        });
+        scanner.take(";");
     }
     scanner.expect_end("the end of the line after <<<");
+    state.spoilt.erase(terminal.symbol);
     terminal.comment = scanner.statement().comment;
-    once(state, "terminal " + terminal.symbol, terminal.place);
-    state.grammar.terminals.push_back(std::move(terminal));
+    if (first) state.grammar.terminals.push_back(std::move(terminal));
 }
 
 void parse_production_statement(Scanner& scanner, ParseState& state) {
-    state.grammar.productions.push_back(parse_production(scanner));
+    const std::size_t mistakes = scanner.mistakes();
+    std::optional<Production> production = parse_production(scanner);
+    if (production && scanner.mistakes() != mistakes) state.unsure.insert(production->symbol);
+    if (production) {
+        state.grammar.productions.push_back(std::move(*production));
+    } else {
+        add_names(scanner.statement().text, state.spoilt);
+    }
 }
 
 void parse_seed(Scanner& scanner, ParseState& state) {
-    once(state, "seed", scanner.statement().place);
+    once(scanner, state, "seed", scanner.statement().place);
     state.grammar.seed = scanner.large_integer("a whole number from 0 to 18446744073709551615");
     scanner.expect_end("the end of the line after the seed");
     keep_comment(scanner.statement(), state.grammar);
@@ -198,8 +240,7 @@ void parse_ignore(Scanner& scanner, ParseState& state) {
             throw InputError(place, "expected a symbol of your own, found the command '" + symbol +
                                         "': contexts look past commands always, leave it out");
         }
-        once(state, "ignore " + symbol, place);
-        state.grammar.ignored.push_back(symbol);
+        if (once(scanner, state, "ignore " + symbol, place)) state.grammar.ignored.push_back(symbol);
     } while (!scanner.at_end());
     keep_comment(scanner.statement(), state.grammar);
 }
@@ -208,6 +249,8 @@ struct StatementKind {
     std::string_view word;
     void (*parse)(Scanner&, ParseState&);
 };
+
+constexpr std::size_t longest_found = 40;  // enough to recognise it
 
 constexpr std::array kinds{
     StatementKind{"lsystem", parse_version},
@@ -237,26 +280,52 @@ std::string_view first_name(std::string_view text) {
     return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
+/// A statement of no kind without "->" is no production either, if it looks like something else.
+void expect_production(const Statement& statement) {
+    if (statement.text.find("->") != std::string::npos) return;
+    const std::string word(first_name(statement.text));
+    const std::vector<std::string_view> known(words.begin(), words.end());
+    const std::size_t behind = statement.text.find_first_not_of(" \t\n", word.size());
+    const bool continues =
+        behind != std::string::npos && std::string_view("(:<>-").find(statement.text[behind]) != std::string_view::npos;
+    if (!word.empty() && continues && similar_name(word, known).empty()) return;
+    std::string expected = "expected a statement: a production such as 'A -> B', or one that begins with";
+    for (const std::string_view kind : words) expected += ' ' + std::string(kind);
+    const std::string first_line = statement.text.substr(0, std::min(statement.text.find('\n'), longest_found));
+    throw InputError(statement.place,
+                     expected + "; found '" + (word.empty() ? first_line : word) + "'" + did_you_mean(word, known));
+}
+
+void read_statement(const Statement& statement, ParseState& state) {
+    Scanner scanner(statement, state.mistakes);
+    const auto kind = std::ranges::find(kinds, first_name(statement.text), &StatementKind::word);
+    const bool is_version = kind == kinds.begin();
+    if (!state.versioned && !is_version) {
+        scanner.keep(InputError(statement.place, "expected 'lsystem 1' as the first statement, found '" +
+                                                     statement.text.substr(0, statement.text.find('\n')) + "'"));
+    }
+    state.versioned = true;  // said once
+    if (statement.has_verbatim && (kind == kinds.end() || kind->word != "terminal")) {
+        throw InputError(statement.place, "expected a fragment <<< in a terminal only");
+    }
+    if (kind == kinds.end()) {
+        expect_production(statement);
+        return parse_production_statement(scanner, state);
+    }
+    scanner.expect(kind->word);
+    kind->parse(scanner, state);
+}
+
 }  // namespace
 
 std::span<const std::string_view> statement_words() { return words; }
 
 void parse_statement(const Statement& statement, ParseState& state) {
-    Scanner scanner(statement);
-    const auto kind = std::ranges::find(kinds, first_name(statement.text), &StatementKind::word);
-    const bool is_version = kind == kinds.begin();
-    if (!state.versioned && !is_version) {
-        state.versioned = true;  // said once
-        throw InputError(statement.place, "expected 'lsystem 1' as the first statement, found '" +
-                                              statement.text.substr(0, statement.text.find('\n')) + "'");
+    try {
+        read_statement(statement, state);
+    } catch (const InputError& error) {
+        add_mistake(state.mistakes, error);
     }
-    state.versioned = true;
-    if (statement.has_verbatim && (kind == kinds.end() || kind->word != "terminal")) {
-        throw InputError(statement.place, "expected a fragment <<< in a terminal only");
-    }
-    if (kind == kinds.end()) return parse_production_statement(scanner, state);
-    scanner.expect(kind->word);
-    kind->parse(scanner, state);
 }
 
 }  // namespace rinceau

@@ -1,7 +1,9 @@
 #include "lsystem/scanner.h"
 
+#include <algorithm>
 #include <charconv>
 
+#include "lsystem/mistakes.h"
 #include "lsystem/number_text.h"
 #include "lsystem/turtle_commands.h"
 
@@ -163,6 +165,36 @@ std::string Scanner::quoted() {
     fail("a closing quotation mark for this one");
 }
 
+void Scanner::keep(const InputError& error) {
+    if (!add_mistake(mistakes_, error)) throw InputError(error);
+}
+
+bool Scanner::skip_to(std::string_view token) {
+    const std::size_t found = text_.find(token, at_);
+    at_ = std::min(found, text_.size());
+    return found != std::string_view::npos;
+}
+
+void Scanner::skip_piece() {
+    bool in_string = false;
+    for (; at_ < text_.size(); ++at_) {
+        const char c = text_[at_];
+        if (c == ';' && !in_string) return;
+        if (c == '"') in_string = !in_string;
+        if (c == '\\' && in_string && at_ + 1 < text_.size()) ++at_;
+    }
+}
+
+Expression Scanner::expression_or_one(std::string_view text, std::size_t start) {
+    const SourcePlace place = place_at(start);
+    try {
+        return parse_expression(text, place);
+    } catch (const InputError& error) {
+        keep(error);
+        return number_expression(1);
+    }
+}
+
 Expression Scanner::expression_until(std::string_view stops) {
     skip_blanks();
     const std::size_t start = at_;
@@ -173,43 +205,72 @@ Expression Scanner::expression_until(std::string_view stops) {
         if (c == '(') ++depth;
         if (c == ')') --depth;
     }
-    return parse_expression(text_.substr(start, at_ - start), place_at(start));
+    if (at_ == text_.size() && !stops.empty()) fail("')' behind the arguments");
+    return expression_or_one(text_.substr(start, at_ - start), start);
 }
 
 Expression Scanner::condition() {
     skip_blanks();
-    const std::size_t end = text_.find("->", at_);
-    if (end == std::string_view::npos) {
-        at_ = text_.size();
-        fail("'->' after the condition");
-    }
     const std::size_t start = at_;
-    at_ = end;
-    return parse_expression(text_.substr(start, end - start), place_at(start));
+    if (!skip_to("->")) fail("'->' after the condition");
+    return expression_or_one(text_.substr(start, at_ - start), start);
 }
+
+namespace {
+
+bool is_bracket(const ModuleTemplate& module) { return module.symbol == "[" || module.symbol == "]"; }
+
+bool is_command(char c) { return find_turtle_command({&c, 1}) != nullptr; }
+
+}  // namespace
 
 ModuleTemplate Scanner::module() {
     ModuleTemplate result;
     result.place = place();
     if (starts_name(text_[at_])) {
         result.symbol = name("a symbol");
-    } else if (find_turtle_command(text_.substr(at_, 1)) != nullptr && !peek("->")) {
+    } else if (is_command(text_[at_]) && !peek("->")) {
         result.symbol.assign(1, text_[at_++]);
     } else {
         fail("a symbol or one of the commands + - f * | [ ] ; z fill stroke");
     }
-    if (!take("(")) return result;
-    if (take(")")) return result;
+    return result;
+}
+
+void Scanner::read_arguments(ModuleTemplate& module) {
+    if (!take("(") || take(")")) return;
     do {
-        result.arguments.push_back(expression_until(",)"));
+        module.arguments.push_back(expression_until(",)"));
     } while (take(","));
     expect(")");
-    return result;
+}
+
+void Scanner::skip_what_begins_no_module(std::string_view stops) {
+    if (!take("->")) ++at_;
+    while (at_ < text_.size() && !is_blank(text_[at_]) && !starts_name(text_[at_]) && !is_command(text_[at_]) &&
+           stops.find(text_[at_]) == std::string_view::npos)
+        ++at_;
 }
 
 std::vector<ModuleTemplate> Scanner::modules(std::string_view stops) {
     std::vector<ModuleTemplate> result;
-    while (!at_end() && stops.find(text_[at_]) == std::string_view::npos) result.push_back(module());
+    bool cut = false;  // arguments without an end have swallowed modules: whether brackets fit cannot be known
+    while (!at_end() && stops.find(text_[at_]) == std::string_view::npos) {
+        const std::size_t count = result.size();
+        try {
+            result.push_back(module());
+            read_arguments(result.back());
+        } catch (const InputError& error) {
+            keep(error);
+            if (result.size() == count) {
+                skip_what_begins_no_module(stops);
+            } else {
+                result.pop_back();
+                cut = true;
+            }
+        }
+    }
+    if (cut) std::erase_if(result, is_bracket);
     return result;
 }
 

@@ -11,10 +11,12 @@
 
 namespace rinceau {
 
-/// Every function skips blanks first and throws InputError with what was expected and what was found.
+/// Every function skips blanks first and throws InputError with what was expected and what was found. Mistakes that the
+/// rest of the statement can be read in spite of are kept in `mistakes` instead.
 class Scanner {
   public:
-    explicit Scanner(const Statement& statement) : statement_(statement), text_(statement.text) {}
+    Scanner(const Statement& statement, std::vector<Warning>& mistakes)
+        : statement_(statement), text_(statement.text), mistakes_(mistakes) {}
 
     bool at_end();
     bool peek(std::string_view token);
@@ -36,11 +38,32 @@ class Scanner {
     std::string quoted();
     /// "..." as it stands; `start` becomes the place in the statement of its first character.
     std::string_view raw_quoted(std::size_t& start);
+    /// The number 1 takes the place of an expression with a mistake, which is kept.
     Expression expression_until(std::string_view stops);
-    /// An expression up to "->".
+    /// An expression up to "->", in the same way.
     Expression condition();
-    /// Modules up to one of `stops`, or else to the end of the statement.
+    /// Modules up to one of `stops`, or else to the end of the statement. What is none is a mistake, which is kept.
     std::vector<ModuleTemplate> modules(std::string_view stops = {});
+
+    /// Reads a piece; if that fails, keeps the mistake and passes over the text up to the next ';' that is in no string.
+    template <class Read>
+    void piece(Read read) {
+        const std::size_t start = position();
+        const PlaceInText place = last_place_;
+        try {
+            read();
+        } catch (const InputError& error) {
+            keep(error);
+            at_ = start;
+            last_place_ = place;
+            skip_piece();
+        }
+    }
+    /// Keeps a mistake; throws it if there are so many that reading is given up.
+    void keep(const InputError& error);
+    std::size_t mistakes() const { return mistakes_.size(); }
+    /// Passes over the text up to the token; false, and to the end, if there is none.
+    bool skip_to(std::string_view token);
 
     std::size_t position();
     SourcePlace place();
@@ -52,12 +75,17 @@ class Scanner {
   private:
     const Statement& statement_;
     std::string_view text_;
+    std::vector<Warning>& mistakes_;
     std::size_t at_ = 0;
     PlaceInText last_place_;
 
     void skip_blanks();
     std::string found() const;
+    Expression expression_or_one(std::string_view text, std::size_t start);
     ModuleTemplate module();
+    void read_arguments(ModuleTemplate& module);
+    void skip_what_begins_no_module(std::string_view stops);
+    void skip_piece();
 };
 
 }  // namespace rinceau

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lsystem/number_text.h"
+#include "lsystem/similar_name.h"
 #include "scene/svg_color.h"
 
 namespace rinceau {
@@ -256,24 +257,37 @@ void write_stroke(StyleWriter& writer, const Stroke& stroke) {
 
 }  // namespace
 
+namespace {
+
+void read_property(Scanner& scanner, Style& style, std::vector<std::string>& seen) {
+    const SourcePlace place = scanner.place();
+    const std::string name = scanner.property();
+    const auto property = std::ranges::find(properties, name, &Property::name);
+    if (property == properties.end()) {
+        std::vector<std::string_view> names;
+        for (const Property& known : properties) names.push_back(known.name);
+        throw InputError(place, "expected a property such as fill, stroke, stroke-width or opacity, found '" + name + "'" +
+                                    did_you_mean(name, names));
+    }
+    if (std::ranges::find(seen, name) != seen.end())
+        throw InputError(place, "expected '" + name + "' once, found it again: take one of them away");
+    seen.push_back(name);
+    property->read(scanner, style);
+    if (style.stroke.fixed && style.stroke.pen != Linear2{})
+        throw InputError(place, "expected a stroke-width without 'fixed' where there is a pen, found both");
+}
+
+}  // namespace
+
 Style parse_style(Scanner& scanner) {
     Style style;
     std::vector<std::string> seen;
     while (!scanner.at_end()) {
-        const SourcePlace place = scanner.place();
-        const std::string name = scanner.property();
-        const auto property = std::ranges::find(properties, name, &Property::name);
-        if (property == properties.end()) {
-            throw InputError(place,
-                             "expected a property such as fill, stroke, stroke-width or opacity, found '" + name + "'");
-        }
-        if (std::ranges::find(seen, name) != seen.end())
-            throw InputError(place, "expected '" + name + "' once, found it again");
-        seen.push_back(name);
-        property->read(scanner, style);
-        if (style.stroke.fixed && style.stroke.pen != Linear2{})
-            throw InputError(place, "expected a stroke-width without 'fixed' where there is a pen, found both");
-        if (!scanner.take(";")) scanner.expect_end("';' before the next property");
+        scanner.piece([&] {
+            read_property(scanner, style, seen);
+            if (!scanner.peek(";")) scanner.expect_end("';' before the next property");
+        });
+        scanner.take(";");
     }
     return style;
 }
