@@ -15,7 +15,7 @@ struct CheckOptions {
 
 int check(const CheckOptions& options) {
     const std::string label = input_label(options.input);
-    const std::vector<Warning> mistakes = check_grammar(read_input(options.input), label);
+    const std::vector<Warning> mistakes = check_grammar(read_grammar_text(options.input), label);
     for (const Warning& mistake : mistakes) say(located(mistake.place, mistake.message));
     if (!mistakes.empty()) return exit_status::input_at_fault;
     write_output("", label + ": good\n");
