@@ -4,6 +4,8 @@
 #include <array>
 
 #include "exports/cpfg.h"
+#include "exports/fractint.h"
+#include "exports/houdini.h"
 #include "exports/json_placements.h"
 #include "exports/lpy.h"
 #include "exports/svg_clones.h"
@@ -16,6 +18,8 @@ constexpr std::array formats{
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
     ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
     ExportFormat{"cpfg", ".l", "cpfg of the Virtual Laboratory, with .v and .map", to_cpfg},
+    ExportFormat{"houdini", ".txt", "premise and rules for Houdini's L-System SOP", to_houdini},
+    ExportFormat{"fractint", ".l", "Fractint and Iterated Dynamics, with .map", to_fractint},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 

@@ -120,7 +120,7 @@ class Comparison:
     """Of what a format draws with what is wanted; gives pairs of corresponding points."""
 
     def __init__(self, picture, precision, colors=True, width_of=None, fills=True):
-        """precision: the format's, as a share of the diagonal; width_of(style width, scale) -> width as drawn."""
+        """fills: False where a fill without stroke is drawn as its outline. precision: the format's, as a share of the diagonal; width_of(style width, scale) -> width as drawn."""
         self.picture, self.colors, self.width_of, self.fills = picture, colors, width_of, fills
         self.precision = precision * picture.diagonal()
         self.outlines = [Outline(t["path"] or "") for t in picture.terminals]
@@ -159,6 +159,9 @@ class Comparison:
             parts = []
             if fill != "none" and self.fills:
                 parts.append(("fill", fill, None))
+            elif fill != "none" and (stroke == "none" or style["stroke_width"] <= 0):
+                paths = [closed(path) for path in paths]
+                parts.append(("line", fill, None))
             if stroke != "none" and style["stroke_width"] > 0:
                 parts.append(("line", stroke, (style["stroke_width"], 1.0 if style.get("fixed") else scale)))
             if style.get("stroke_first"):
@@ -302,6 +305,11 @@ class Comparison:
 
     def name(self, key):
         return self.picture.terminals[key[0]]["symbol"]
+
+
+def closed(path):
+    ends = np.array([path[-1][-1], path[0][0]])
+    return path if np.all(ends[0] == ends[1]) else path + [ends]
 
 
 def walk(wanted, corners, size, name):
