@@ -10,6 +10,7 @@
 #include "exports/prepared_grammar.h"
 #include "exports/python_syntax.h"
 #include "exports/target_names.h"
+#include "lsystem/grammar_names.h"
 #include "lsystem/number_text.h"
 #include "lsystem/turtle_commands.h"
 
@@ -177,7 +178,7 @@ class LpyWriter {
     void name_everything() {
         std::set<std::string> taken;
         const auto allowed = [](std::string_view name) { return !is_lpy_name(name) && !is_python_name_taken(name); };
-        for (const std::string& symbol : all_symbols(grammar_)) symbols_[symbol] = free_name(symbol, taken, allowed);
+        for (const std::string& symbol : all_symbols_of(grammar_)) symbols_[symbol] = free_name(symbol, taken, allowed);
         const auto python_allowed = [&](std::string_view name) {
             return !is_python_name_taken(name) && !name.starts_with("rinceau") && !name.starts_with("shape_");
         };
@@ -421,9 +422,10 @@ Export to_lpy(const Grammar& grammar, const ExportOptions& options) {
         if (std::optional<std::string> text = LpyWriter(*prepared, options).write())
             return {.bytes = std::move(*text), .notes = prepared->notes};
     }
-    const PreparedGrammar placed = prepared_placements(
-        grammar, options, "L-Py",
-        is_random(grammar) ? "what is drawn by chance is frozen as the seed makes it" : "L-Py cannot follow them");
+    const PreparedGrammar placed =
+        prepared_placements(grammar, options, "L-Py",
+                            draws_random_numbers(grammar) ? "what is drawn by chance is frozen as the seed makes it"
+                                                          : "L-Py cannot follow them");
     return {.bytes = LpyWriter(placed, options).write().value_or(""), .notes = placed.notes};
 }
 

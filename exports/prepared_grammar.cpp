@@ -4,22 +4,14 @@
 
 #include "exports/carried_state.h"
 #include "exports/drawn_terminal.h"
-#include "exports/expression_writer.h"
 #include "lsystem/flat_grammar.h"
+#include "lsystem/grammar_names.h"
 #include "lsystem/turtle_commands.h"
 #include "lsystem/unfolded_exceptions.h"
 
 namespace rinceau {
 
 namespace {
-
-bool draws_numbers(const Expression& expression) { return calls(expression, "uniform") || calls(expression, "normal"); }
-
-bool draws_numbers(const std::vector<ModuleTemplate>& modules) {
-    return std::ranges::any_of(modules, [](const ModuleTemplate& module) {
-        return std::ranges::any_of(module.arguments, [](const Expression& argument) { return draws_numbers(argument); });
-    });
-}
 
 bool repaints(const std::vector<ModuleTemplate>& modules) {
     return std::ranges::any_of(
@@ -51,7 +43,7 @@ std::vector<StyleChoice> styles_of(const PreparedGrammar& prepared, const Termin
     return choices;
 }
 
-std::set<std::string> all_symbols(const Grammar& grammar) {
+std::set<std::string> all_symbols_of(const Grammar& grammar) {
     std::set<std::string> symbols;
     const auto look = [&](const std::vector<ModuleTemplate>& modules) {
         for (const ModuleTemplate& module : modules) {
@@ -82,13 +74,6 @@ std::set<std::size_t> arities_of(const Grammar& grammar, const std::string& symb
     return arities;
 }
 
-bool is_random(const Grammar& grammar) {
-    return draws_numbers(grammar.axiom) || std::ranges::any_of(grammar.productions, [](const Production& production) {
-               return production.weight || draws_numbers(production.successor) ||
-                      (production.condition && draws_numbers(*production.condition));
-           });
-}
-
 bool has_contexts(const Grammar& grammar) {
     return std::ranges::any_of(grammar.productions, [](const Production& production) {
         return !production.left_context.empty() || !production.right_context.empty();
@@ -97,7 +82,7 @@ bool has_contexts(const Grammar& grammar) {
 
 std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options,
                                               const std::string& format) {
-    if (is_random(grammar) || repaints(grammar)) return std::nullopt;
+    if (draws_random_numbers(grammar) || repaints(grammar)) return std::nullopt;
     if (has_contexts(grammar) && options.derive.depth >= 0) return std::nullopt;
     std::optional<PreparedGrammar> prepared = without_style_commands(unfolded_exceptions(grammar, options.derive));
     if (!prepared) return std::nullopt;
