@@ -67,6 +67,8 @@ int main(int argc, char** argv) {
     add_normalize(program, job);
     add_replace(program, job);
     add_inkscape(program, job);
+    add_man(program, job);
+    add_completion(program, job);
     try {
         return parse_and_run(program, job, words_of(argc, argv));
     } catch (const InputError& error) {
