@@ -64,6 +64,8 @@ int main(int argc, char** argv) {
     add_derive(program, job);
     add_check(program, job);
     add_export(program, job);
+    add_set(program, job);
+    add_randomize(program, job);
     add_normalize(program, job);
     add_replace(program, job);
     add_inkscape(program, job);
