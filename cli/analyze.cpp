@@ -139,7 +139,7 @@ void add_analyze(CLI::App& program, Job& job) {
     verb->add_option("-o,--output", options->output, "Where to write the grammar (.lsys); without it, the rules are printed")
         ->type_name("FILE");
     verb->add_flag("--print", options->print, "Print the rules for a person to read also when -o is given");
-    verb->add_option("--report", options->report, "Where to write what was found as JSON (docs/report.schema.json)")
+    verb->add_option("--report", options->report, "Where to write what was found (.json, as docs/report.schema.json says)")
         ->type_name("FILE");
     verb->add_option("--spaces", options->spaces,
                      "Where to write the transformation spaces: .csv a table, .svg scatter plots")
