@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
     add_check(program, job);
     add_export(program, job);
     add_normalize(program, job);
+    add_replace(program, job);
     try {
         return parse_and_run(program, job, argc, argv);
     } catch (const InputError& error) {

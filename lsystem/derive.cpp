@@ -8,11 +8,11 @@ namespace rinceau {
 namespace {
 
 struct Collector {
+    static constexpr bool draws_nothing = true;
     std::vector<Module> modules;
 
-    void command(const CompiledModule& module, double argument) {
-        modules.push_back({module.symbol, {}});
-        if (module.argument_count > 0) modules.back().arguments.push_back(argument);
+    void command(const CompiledModule& module, std::span<const double> arguments) {
+        modules.push_back({module.symbol, {arguments.begin(), arguments.end()}});
     }
     void leaf(const CompiledModule& module, std::span<const double> arguments, const StreamPlace&) {
         modules.push_back({module.symbol, {arguments.begin(), arguments.end()}});
@@ -23,7 +23,7 @@ struct Collector {
 }  // namespace
 
 ModuleString derive(const Grammar& grammar, const DeriveOptions& options, const Progress& progress) {
-    CompiledGrammar compiled = compile(grammar);
+    CompiledGrammar compiled = compile(grammar, options.seed);
     Collector collector;
     stream_modules(compiled, options, progress, false, collector);
     return {std::move(compiled.symbols), std::move(collector.modules)};

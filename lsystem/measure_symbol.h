@@ -1,0 +1,53 @@
+#pragma once
+// What a string of modules draws and where it takes the turtle, by itself; and where a symbol stands in a derivation.
+
+#include <string>
+#include <vector>
+
+#include "geometry/box.h"
+#include "geometry/similarity.h"
+#include "lsystem/derive.h"
+#include "lsystem/grammar.h"
+#include "lsystem/grammar_names.h"
+
+namespace rinceau {
+
+struct Measure {
+    Box box;  ///< of outlines with half their stroke's width, in the turtle's frame before the string; empty = draws nothing
+    Similarity move;  ///< from the turtle's frame before the string to that behind it
+    int style = 0;    ///< in force behind it
+    int layer = 0;
+    int outlines = 0;
+};
+
+/// Draws the string alone, without the grammar's exceptions. Its arguments may use constants. Throws as interpret().
+Measure measure(const Grammar& grammar, const ModuleTemplates& string, const DeriveOptions& options = {});
+
+/// The box of what is seen of elements: outlines and half their strokes' widths, corners of strokes left out.
+Box visible_box(const std::vector<Element>& elements);
+
+/// Which of a grammar's strings: the axiom, a production's or an exception's successor.
+struct StringPlace {
+    enum class Kind : unsigned char { axiom, production, exception };
+    Kind kind = Kind::axiom;
+    int index = 0;
+    friend constexpr auto operator<=>(const StringPlace&, const StringPlace&) = default;
+};
+
+/// One module of the derivation.
+struct Instance {
+    StringPlace string;  ///< where it is written ..
+    int position = 0;    ///< .. as the so manieth module
+    std::vector<int> address;
+    std::vector<double> arguments;
+    bool measured =
+        true;       ///< false: it stands in the drawing only (a homomorphism has put it there), its arguments are unknown
+    int style = 0;  ///< in force before it
+};
+
+/// Where `symbol` stands in the derivation of a grammar when no symbol of `stopped` is rewritten (`symbol` is one of them),
+/// in order of derivation: what the symbols of `stopped` put in their own places does not count. Throws as interpret().
+std::vector<Instance> find_instances(const Grammar& grammar, const std::string& symbol, const std::set<std::string>& stopped,
+                                     const DeriveOptions& options = {});
+
+}  // namespace rinceau
