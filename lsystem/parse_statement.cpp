@@ -87,7 +87,9 @@ void parse_define(Scanner& scanner, ParseState& state) {
     Constant constant;
     constant.place = scanner.place();
     constant.name = scanner.name("the name of a constant");
+    state.spoilt.insert(constant.name);
     scanner.expect("=");
+    state.spoilt.erase(constant.name);
     constant.value = scanner.expression_until("");
     constant.comment = scanner.statement().comment;
     if (once(scanner, state, "define " + constant.name, constant.place))
