@@ -130,7 +130,7 @@ TEST_CASE("hints name what nothing uses, in grammars without mistakes") {
     const std::string used =
         "define n = 1\naxiom: A(n) ;(m) X\ndefine m = n\nA(k) -> X\nstyle 1: fill red\nterminal X: style 1\n";
     CHECK(hints(used).empty());
-    CHECK(places_of(hints("ignore X\n" + used + "define o = m\nB(n) -> Y(1) B\nterminal Y:\nY(n) -> X\n")) ==
+    CHECK(places_of(hints("ignore X\n" + used + "define o = m\nB(n) -> Y(1)\nterminal Y:\nY(n) -> X\n")) ==
           Texts{"1:1", "9:8", "10:1", "10:1", "11:10", "12:1", "12:1"});
     CHECK(places_of(
               hints("axiom: X ;(2) X\nstyle 1: fill red\nstyle 2: fill red\nstyle 3: fill red\nterminal X: style 1\n")) ==

@@ -111,8 +111,7 @@ TEST_CASE("statements go on in indented lines, and their comments are kept") {
 
 TEST_CASE("every module of a long string knows where it stands") {
     std::string text = "lsystem 1\naxiom:";
-    for (int i = 0; i < 2000; ++i)
-        text += i % 3 == 0 ? "\n   A(1,  2 + 3)" : i % 7 == 0 ? "\n # a note\n  B" : "  +( 30 ) C";
+    for (int i = 0; i < 2000; ++i) text += i % 3 == 0 ? "\n   A(1,  2 + 3)" : i % 7 == 0 ? "\n # a note\n  B" : "  +( 30 ) C";
     std::vector<std::string> lines;
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) lines.push_back(line);

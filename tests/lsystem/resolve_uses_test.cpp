@@ -63,7 +63,7 @@ TEST_CASE("a prefix stands before symbols and constants, and not before commands
          "Row(size) : size > 0 -> [Dot(size) z(1)] Row(size-1)\nRow(m) -> f(size)\nterminal Dot: path \"M0 0V-1\"\n"}};
     const Grammar grammar = resolved(files);
     CHECK(to_text(grammar) ==
-          "lsystem 1\n\ndefine v_size = 3\ndefine size = 10\n\nignore Row v_Dot\n\naxiom: v_Row(2) Row\n\nRow -> +(size)\n"
+          "lsystem 1\n\ndefine v_size = 3\ndefine size = 10\n\naxiom: v_Row(2) Row\n\nignore Row v_Dot\n\nRow -> +(size)\n"
           "v_Dot < v_Row(m) > v_Dot(size) : m > size -> v_Row(size) fill(m, sin(pi), e) f(size*m) : size\n"
           "v_Row(size) : size > 0 -> [v_Dot(size) z(1)] v_Row(size-1)\nv_Row(m) -> f(v_size)\n\n"
           "terminal v_Dot: path \"M0 0L0-1\"\n");

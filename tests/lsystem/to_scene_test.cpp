@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "lsystem/grammar_text.h"
-#include "scene/svg_path_data.h"
 #include "scene/svg_read.h"
+#include "scene/svg_path_data.h"
 #include "scene/svg_transform.h"
 
 using namespace rinceau;
@@ -83,9 +83,8 @@ TEST_CASE("a use takes the width of a fixed stroke back by its scale; equal ones
     const std::string svg = svg_of(grammar_of("[F] [*(4) F] *(0.25) F"));
     CHECK(count(svg, "<path ") == 1);
     CHECK(count(svg, "<use ") == 3);
-    for (const char* lengths :
-         {"stroke-width=\"2\" stroke-dasharray=\"3 1\"", "stroke-width=\"0.5\" stroke-dasharray=\"0.75 0.25\"",
-          "stroke-width=\"8\" stroke-dasharray=\"12 4\""})
+    for (const char* lengths : {"stroke-width=\"2\" stroke-dasharray=\"3 1\"", "stroke-width=\"0.5\" stroke-dasharray=\"0.75 0.25\"",
+                                "stroke-width=\"8\" stroke-dasharray=\"12 4\""})
         CHECK(count(svg, lengths) == 1);
     const std::string one_scale = svg_of(grammar_of("*(4) F +(30) F f(3) F"));
     CHECK(count(one_scale, "stroke-width=\"0.5\"") == 1);
