@@ -41,8 +41,7 @@ ignore Mark
 axiom: Signal(3) Mark Stem [Mark Bud] Stem Stem [Bud] Bud
 Signal(t) : t > 0 -> Signal(t-1)
 Signal(t) -> Stem
-Signal(t) < Stem : t == 0 -> Signal(1)
-Stem < Bud > Nothing -> Flower
+Bud -> Flower
 Nothing -> Bud
 Mark -> Mark2 Nothing
 Mark2 ->
