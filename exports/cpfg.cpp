@@ -11,7 +11,6 @@
 #include "exports/single_characters.h"
 #include "exports/target_names.h"
 #include "exports/turtle_walk.h"
-#include "lsystem/grammar_names.h"
 #include "lsystem/number_text.h"
 #include "lsystem/turtle_commands.h"
 
@@ -26,9 +25,6 @@ constexpr std::size_t longest_line = 110;
 constexpr std::size_t most_numbers = 3500;
 
 using Names = std::map<std::string, std::string, std::less<>>;
-
-/// Thrown inside when an expression has no counterpart; the whole export falls back on placements.
-struct NoCounterpart {};
 
 /// A comment's text: cpfg's scanner stops at a slash, and its files are ASCII.
 std::string comment_line(std::string_view text) {
@@ -80,17 +76,13 @@ class CpfgWriter {
         name_constants();
     }
 
-    std::optional<Export> write() {
-        try {
-            const std::string constants = constants_text();
-            const std::string rules = rules_text();
-            Export result{.bytes = head_text() + cpfg_prelude(used_) + constants + rules, .notes = prepared_.notes};
-            result.companions = {{".v", view_text()}, {".map", map_bytes()}};
-            add_notes(result);
-            return result;
-        } catch (const NoCounterpart&) {
-            return std::nullopt;
-        }
+    Export write() {
+        const std::string constants = constants_text();
+        const std::string rules = rules_text();
+        Export result{.bytes = head_text() + cpfg_prelude(used_) + constants + rules, .notes = prepared_.notes};
+        result.companions = {{".v", view_text()}, {".map", map_bytes()}};
+        add_notes(result);
+        return result;
     }
 
   private:
@@ -129,7 +121,7 @@ class CpfgWriter {
             return std::nullopt;
         };
         std::optional<std::string> text = write_expression(source, syntax);
-        if (!text) throw NoCounterpart{};
+        if (!text) throw RulesLost{"cpfg has no counterpart of " + to_text(source)};
         return std::move(*text);
     }
 
@@ -365,12 +357,8 @@ class CpfgWriter {
 }  // namespace
 
 Export to_cpfg(const Grammar& grammar, const ExportOptions& options) {
-    if (const std::optional<PreparedGrammar> prepared = prepared_rules(grammar, options, "cpfg")) {
-        if (std::optional<Export> result = CpfgWriter(*prepared, options).write()) return std::move(*result);
-    }
-    const std::string reason =
-        draws_random_numbers(grammar) ? "what is drawn by chance is frozen as the seed makes it" : "cpfg cannot follow them";
-    return *CpfgWriter(prepared_placements(grammar, options, "cpfg", reason), options).write();
+    return write_prepared(grammar, options, "cpfg",
+                          [&](const PreparedGrammar& prepared) { return CpfgWriter(prepared, options).write(); });
 }
 
 }  // namespace rinceau

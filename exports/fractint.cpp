@@ -199,7 +199,7 @@ class FractintWriter {
     }
 
     std::string entry_text(const std::vector<NamedPart>& parts) const {
-        std::string text = options_.name + " { ; " + comment(grammar_.title) + '\n';
+        std::string text = options_.name + " {" + (grammar_.title.empty() ? "" : " ; " + comment(grammar_.title)) + '\n';
         text += "  ; Written by Rinceau for Fractint and Iterated Dynamics. Draw it with float=yes, order " +
                 std::to_string(parts.back().depth) + " (params=" + std::to_string(parts.back().depth) +
                 ") and its colors=@.map\n";
@@ -314,6 +314,7 @@ bool repaints(const Grammar& grammar) {
 }  // namespace
 
 Export to_fractint(const Grammar& grammar, const ExportOptions& options) {
+    expect_outlines(grammar, "Fractint");
     if (has_homomorphisms(grammar) || repaints(grammar))
         return FractintWriter(flat_grammar(grammar, options.derive), {.name = options.name}).write();
     return FractintWriter(grammar, options).write();

@@ -12,7 +12,6 @@
 #include "exports/single_characters.h"
 #include "exports/target_names.h"
 #include "exports/turtle_walk.h"
-#include "lsystem/grammar_names.h"
 #include "lsystem/turtle_commands.h"
 
 namespace rinceau {
@@ -25,9 +24,6 @@ constexpr std::string_view free_characters = "ABCDEINOPQRSUVWXYZbcdeijklmnopqrst
 constexpr std::string_view parameter_letters = "mnpqruvwkjlo";
 /// J(s,x,a,b,c) is documented to take five arguments, no module more.
 constexpr std::size_t most_parameters = 5;
-
-/// Thrown inside when something has no counterpart; the whole export falls back on placements.
-struct NoCounterpart {};
 
 /// Decompositions, rewriting and homomorphisms in this order, as rules of one kind: without contexts it is the same.
 Grammar of_one_kind(Grammar grammar) {
@@ -47,22 +43,22 @@ class HoudiniWriter {
           scaled_(remembers(prepared.grammar, TurtleMemory::scale)),
           symbols_(single_characters(all_symbols_of(prepared.grammar), free_characters)) {}
 
-    std::optional<std::string> write() {
-        try {
-            std::optional<Grammar> grammar =
-                scaled_ ? carried(prepared_.grammar, TurtleMemory::scale) : std::optional<Grammar>(prepared_.grammar);
-            if (!grammar || has_contexts(*grammar)) return std::nullopt;
-            grammar_ = of_one_kind(std::move(*grammar));
-            const std::string premise = string_text(grammar_.axiom, {});
-            std::string rules;
-            int number = 0;
-            for (const std::string& rule : rules_text()) rules += "Rule " + std::to_string(++number) + ": " + rule + '\n';
-            const Grammar merged = of_one_kind(prepared_.grammar);
-            const int generations = steps_to_the_end(merged, {}) + 1;
-            return head_text() + "Generations: " + std::to_string(generations) + "\nPremise: " + premise + '\n' + rules;
-        } catch (const NoCounterpart&) {
-            return std::nullopt;
-        }
+    Export write() {
+        if (has_contexts(prepared_.grammar)) throw RulesLost{"contexts in Houdini do not look past brackets"};
+        std::optional<Grammar> grammar =
+            scaled_ ? carried(prepared_.grammar, TurtleMemory::scale) : std::optional<Grammar>(prepared_.grammar);
+        if (!grammar)
+            throw RulesLost{"Houdini needs the scale as an argument, and a symbol changes it for what stands after it"};
+        grammar_ = of_one_kind(std::move(*grammar));
+        const std::string premise = string_text(grammar_.axiom, {});
+        std::string rules;
+        int number = 0;
+        for (const std::string& rule : rules_text()) rules += "Rule " + std::to_string(++number) + ": " + rule + '\n';
+        // one more for the drawings
+        const int generations = steps_to_the_end(of_one_kind(prepared_.grammar), {}) + 1;
+        return {
+            .bytes = head_text() + "Generations: " + std::to_string(generations) + "\nPremise: " + premise + '\n' + rules,
+            .notes = prepared_.notes};
     }
 
   private:
@@ -128,7 +124,7 @@ class HoudiniWriter {
             return std::nullopt;
         };
         std::optional<std::string> text = write_expression(with_letters(source, parameters), syntax);
-        if (!text) throw NoCounterpart{};
+        if (!text) throw RulesLost{"Houdini has no counterpart of " + to_text(source)};
         return std::move(*text);
     }
 
@@ -144,7 +140,8 @@ class HoudiniWriter {
             arguments += (arguments.empty() ? "" : ",") + expression(argument, parameters, houdini_argument_syntax());
         const TurtleCommandInfo* command = find_turtle_command(module.symbol);
         if (command == nullptr) {
-            if (module.arguments.size() + shared(module.symbol) > most_parameters) throw NoCounterpart{};
+            if (module.arguments.size() + shared(module.symbol) > most_parameters)
+                throw RulesLost{"Houdini's modules have at most 5 arguments, the scale among them"};
             return symbol_text(module.symbol, arguments);
         }
         switch (command->command) {
@@ -287,14 +284,8 @@ class HoudiniWriter {
 }  // namespace
 
 Export to_houdini(const Grammar& grammar, const ExportOptions& options) {
-    if (const std::optional<PreparedGrammar> prepared = prepared_rules(grammar, options, "Houdini")) {
-        if (std::optional<std::string> text = HoudiniWriter(*prepared, options).write())
-            return {.bytes = std::move(*text), .notes = prepared->notes};
-    }
-    const std::string reason = draws_random_numbers(grammar) ? "what is drawn by chance is frozen as the seed makes it"
-                                                             : "Houdini's L-System SOP cannot follow them";
-    const PreparedGrammar placed = prepared_placements(grammar, options, "Houdini", reason);
-    return {.bytes = HoudiniWriter(placed, options).write().value_or(""), .notes = placed.notes};
+    return write_prepared(grammar, options, "Houdini",
+                          [&](const PreparedGrammar& prepared) { return HoudiniWriter(prepared, options).write(); });
 }
 
 }  // namespace rinceau

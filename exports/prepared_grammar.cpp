@@ -24,12 +24,33 @@ bool repaints(const Grammar& grammar) {
            });
 }
 
-/// Style numbers become arguments; nothing if they cannot.
-std::optional<PreparedGrammar> without_style_commands(Grammar grammar) {
-    if (!remembers(grammar, TurtleMemory::style)) return PreparedGrammar{std::move(grammar)};
+/// Style numbers become arguments.
+PreparedGrammar without_style_commands(Grammar grammar) {
+    if (!remembers(grammar, TurtleMemory::style)) return {.grammar = std::move(grammar)};
     std::optional<Grammar> styled = carried(grammar, TurtleMemory::style);
-    if (!styled) return std::nullopt;
-    return PreparedGrammar{std::move(*styled), true};
+    if (!styled) throw RulesLost{"a style is in force beyond the symbol that sets it"};
+    return {.grammar = std::move(*styled), .styled = true};
+}
+
+PreparedGrammar prepared_rules(const Grammar& grammar, const ExportOptions& options, const std::string& format) {
+    if (draws_random_numbers(grammar)) throw RulesLost{"what is drawn by chance is frozen as the seed makes it"};
+    if (repaints(grammar)) throw RulesLost{"they change colours"};
+    if (has_contexts(grammar) && options.derive.depth >= 0) throw RulesLost{"they have contexts, and the depth is limited"};
+    PreparedGrammar prepared = without_style_commands(unfolded_exceptions(grammar, options.derive));
+    prepared.notes = drawing_notes(grammar, format);
+    if (!grammar.exceptions.empty()) {
+        prepared.notes.insert(prepared.notes.begin(),
+                              format + " has no exceptions: the rules are written out where one applies.");
+    }
+    return prepared;
+}
+
+PreparedGrammar prepared_placements(const Grammar& grammar, const ExportOptions& options, const std::string& format,
+                                    const std::string& reason) {
+    PreparedGrammar flat = without_style_commands(flat_grammar(grammar, options.derive));
+    flat.notes = drawing_notes(flat.grammar, format);
+    flat.notes.insert(flat.notes.begin(), "The rules are not kept, every element is placed by itself: " + reason + '.');
+    return flat;
 }
 
 }  // namespace
@@ -80,26 +101,14 @@ bool has_contexts(const Grammar& grammar) {
     });
 }
 
-std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options,
-                                              const std::string& format) {
-    if (draws_random_numbers(grammar) || repaints(grammar)) return std::nullopt;
-    if (has_contexts(grammar) && options.derive.depth >= 0) return std::nullopt;
-    std::optional<PreparedGrammar> prepared = without_style_commands(unfolded_exceptions(grammar, options.derive));
-    if (!prepared) return std::nullopt;
-    prepared->notes = drawing_notes(grammar, format);
-    if (!grammar.exceptions.empty()) {
-        prepared->notes.insert(prepared->notes.begin(),
-                               format + " has no exceptions: the rules are written out where one applies.");
+Export write_prepared(const Grammar& grammar, const ExportOptions& options, const std::string& format,
+                      const std::function<Export(const PreparedGrammar&)>& write) {
+    expect_outlines(grammar, format);
+    try {
+        return write(prepared_rules(grammar, options, format));
+    } catch (const RulesLost& lost) {
+        return write(prepared_placements(grammar, options, format, lost.reason));
     }
-    return prepared;
-}
-
-PreparedGrammar prepared_placements(const Grammar& grammar, const ExportOptions& options, const std::string& format,
-                                    const std::string& reason) {
-    std::optional<PreparedGrammar> flat = without_style_commands(flat_grammar(grammar, options.derive));
-    flat->notes = drawing_notes(flat->grammar, format);
-    flat->notes.insert(flat->notes.begin(), "The rules are not kept, every element is placed by itself: " + reason + '.');
-    return std::move(*flat);
 }
 
 int steps_to_the_end(const Grammar& grammar, const DeriveOptions& options) {

@@ -52,7 +52,7 @@ def check(program, reader, sample, folder):
         value = float(text[begin:end])
         if value in (0, 1, 180):  # weights of points, depths, half turns either way
             continue
-        exported.write_text(text[:begin] + f"{value * 1.02 + 0.01:.6f}" + text[end:])
+        exported.write_text(text[:begin] + f"{value * 1.1 + 1:.6f}" + text[end:])
         if accepted(reader, exported, picture):
             missed.append(text[max(0, begin - 30):end + 10])
     assert not missed, f"{reader.FORMAT} of {sample}: a changed number is not noticed: {missed}"
