@@ -6,6 +6,7 @@
 #include "exports/cfdg.h"
 #include "exports/json_grammar.h"
 #include "exports/json_placements.h"
+#include "exports/lindenmayer.h"
 #include "exports/svg_clones.h"
 #include "lsystem/grammar_text.h"
 
@@ -21,6 +22,7 @@ constexpr std::array formats{
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
     ExportFormat{"json", ".json", "the whole grammar as JSON, which every command reads, too", to_json, true},
     ExportFormat{"lsys", ".lsys", "the grammar's own text, back from JSON", to_lsys, true},
+    ExportFormat{"lindenmayer", ".mjs", "JavaScript for npm's lindenmayer", to_lindenmayer},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 
