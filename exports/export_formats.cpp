@@ -4,9 +4,11 @@
 #include <array>
 
 #include "exports/cfdg.h"
+#include "exports/cpfg.h"
 #include "exports/json_grammar.h"
 #include "exports/json_placements.h"
 #include "exports/lindenmayer.h"
+#include "exports/lpy.h"
 #include "exports/svg_clones.h"
 #include "lsystem/grammar_text.h"
 
@@ -20,6 +22,8 @@ Export to_lsys(const Grammar& grammar, const ExportOptions&) { return {.bytes = 
 constexpr std::array formats{
     ExportFormat{"cfdg", ".cfdg", "Context Free", to_cfdg},
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
+    ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
+    ExportFormat{"cpfg", ".l", "cpfg of the Virtual Laboratory, with .v and .map", to_cpfg},
     ExportFormat{"json", ".json", "the whole grammar as JSON, which every command reads, too", to_json, true},
     ExportFormat{"lsys", ".lsys", "the grammar's own text, back from JSON", to_lsys, true},
     ExportFormat{"lindenmayer", ".mjs", "JavaScript for npm's lindenmayer", to_lindenmayer},

@@ -13,7 +13,7 @@ class FactCollector {
   public:
     explicit FactCollector(const CompiledGrammar& grammar) : grammar_(grammar) {}
 
-    void command(const CompiledModule&, double) {}
+    void command(const CompiledModule&, std::span<const double>) {}
     void leaf(const CompiledModule& module, std::span<const double> arguments, const StreamPlace&) {
         note(module, arguments);
     }

@@ -32,7 +32,8 @@ class GraphBuilder {
         parts_.emplace_back();
     }
 
-    void command(const CompiledModule& module, double argument) {
+    void command(const CompiledModule& module, std::span<const double> arguments) {
+        const double argument = arguments.empty() ? 0 : arguments.front();
         TurtleState& state = parts_.back().state;
         Similarity& pose = state.pose;
         switch (static_cast<TurtleCommand>(module.symbol)) {
