@@ -6,7 +6,7 @@ from .picture import Disagreement, Element, path_points, placed, product
 
 FORMAT = "svg"
 ENDING = ".svg"
-LIMIT = 1e-6  # numbers in the file are rounded to 1e-7 of the picture
+LIMIT = 1e-9  # numbers in the file are rounded to 1e-11 of the picture
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}href"
