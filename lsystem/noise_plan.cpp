@@ -71,9 +71,8 @@ std::vector<Group> groups_of(const std::vector<ModuleTemplate>& string) {
         groups.back().symbols.push_back(i);
     }
     // a bracket without its partner is a mistake, which interpreting reports
-    std::erase_if(groups, [&](const Group& group) {
-        return group.first == group.last && is_command(string[at(group.first)]);
-    });
+    std::erase_if(groups,
+                  [&](const Group& group) { return group.first == group.last && is_command(string[at(group.first)]); });
     return groups;
 }
 
@@ -166,7 +165,8 @@ class Planner {
                 if (production.parameters.size() != module.arguments.size()) continue;
                 for (std::size_t i = 0; i < production.parameters.size(); ++i) {
                     const bool is_length = std::ranges::any_of(production.successor, [&](const ModuleTemplate& part) {
-                        return part.symbol == "f" && part.arguments.size() == 1 && part.arguments.front() == name_expression(production.parameters[i]);
+                        return part.symbol == "f" && part.arguments.size() == 1 &&
+                               part.arguments.front() == name_expression(production.parameters[i]);
                     });
                     if (is_length) add(NoiseKind::distance, How::in_expression, position, static_cast<int>(i));
                 }

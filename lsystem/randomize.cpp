@@ -253,9 +253,9 @@ Grammar without_noise(const Grammar& grammar) { return stripped(grammar).grammar
 
 EditResult randomize(const Grammar& grammar, const RandomizeOptions& options) {
     const Deviations deviations = deviations_of(options);
-    EditResult result{options.only.empty() ? randomize_planned(grammar, deviations)
-                                           : randomize_only(grammar, options.only, deviations),
-                      {}};
+    EditResult result{
+        options.only.empty() ? randomize_planned(grammar, deviations) : randomize_only(grammar, options.only, deviations),
+        {}};
     result.changes = changes_between(grammar, result.grammar);
     if (options.seed && options.seed != grammar.seed) {
         result.grammar.seed = options.seed;

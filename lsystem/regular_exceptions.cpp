@@ -94,7 +94,8 @@ std::optional<std::vector<ModuleTemplate>> without_motions(const std::vector<Mod
 EditResult with_regular_exceptions(const Grammar& grammar, bool all) {
     EditResult result{grammar, {}};
     const auto say = [&](std::size_t count, const std::string& what) {
-        if (count > 0) result.changes.push_back(std::to_string(count) + (count == 1 ? " exception " : " exceptions ") + what);
+        if (count > 0)
+            result.changes.push_back(std::to_string(count) + (count == 1 ? " exception " : " exceptions ") + what);
     };
     if (all) {
         say(grammar.exceptions.size(), "dropped");

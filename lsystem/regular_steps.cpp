@@ -20,13 +20,11 @@ namespace {
 constexpr double full_circle = 360;
 
 // How near is nearly: what a hand misses by, and no one means.
-constexpr double near_share = 0.02;      // of a distance or scale
-constexpr double near_angle = 1;         // degrees, of one step
-constexpr double near_bend = 2.5;        // degrees, of a whole row
-constexpr double near_closing = 10;      // degrees that a ring is open, or overlaps, ..
+constexpr double near_share = 0.02;         // of a distance or scale
+constexpr double near_angle = 1;            // degrees, of one step
+constexpr double near_bend = 2.5;           // degrees, of a whole row
+constexpr double near_closing = 10;         // degrees that a ring is open, or overlaps, ..
 constexpr double near_closing_step = 0.25;  // .. and share of its turn
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 EditResult close_near_rings(const Grammar& grammar) {
     std::vector<Ring> rings;
@@ -134,12 +132,10 @@ class Straightener {
             }
             while (!members.empty()) {
                 std::vector<const GrammarNumber*> near;
-                std::ranges::copy_if(members, std::back_inserter(near), [&](const GrammarNumber* member) {
-                    return nearly_equal(*members.front(), *member);
-                });
-                std::erase_if(members, [&](const GrammarNumber* member) {
-                    return std::ranges::find(near, member) != near.end();
-                });
+                std::ranges::copy_if(members, std::back_inserter(near),
+                                     [&](const GrammarNumber* member) { return nearly_equal(*members.front(), *member); });
+                std::erase_if(members,
+                              [&](const GrammarNumber* member) { return std::ranges::find(near, member) != near.end(); });
                 if (near.size() > 1) take_one_value(near);
             }
         }

@@ -21,7 +21,8 @@ namespace {
 const std::string leaf = "terminal A: path \"M-1 0H1V-3Z\"\nterminal B: path \"M-1 0H1V-5Z\"\n";
 const std::string facade =
     "axiom: Wall(4)\nWall(m) : m > 0 -> [Row(5)] f(30) Wall(m-1)\n"
-    "Row(m) : m > 0 -> [Window] -(90) f(20) +(90) Row(m-1)\nWindow -> [A] [f(2) B]\n" + leaf;
+    "Row(m) : m > 0 -> [Window] -(90) f(20) +(90) Row(m-1)\nWindow -> [A] [f(2) B]\n" +
+    leaf;
 const std::string ring = "axiom: Ring(12)\nRing(m) : m > 0 -> [f(50) A] +(30) Ring(m-1)\n" + leaf;
 const std::string tree =
     "axiom: R(4)\nR(m) : m > 0 -> A [-(17) f(64) *(0.8) -(3) R(m-1)] [+(7) f(181) *(0.6) +(23) R(m-1)]\n" + leaf;
@@ -36,7 +37,8 @@ std::string rules(const Grammar& grammar) {
         one.productions = {production};
         const std::string whole = to_text(one);
         std::string lines = whole.substr(whole.find("\n\n") + 2);
-        for (std::size_t at = lines.find("\n  "); at != std::string::npos; at = lines.find("\n  ")) lines.replace(at, 3, " ");
+        for (std::size_t at = lines.find("\n  "); at != std::string::npos; at = lines.find("\n  "))
+            lines.replace(at, 3, " ");
         text += lines;
     }
     return text;
@@ -69,8 +71,9 @@ TEST_CASE("noise is written where a designer expects it") {
           "Wall(m) : m > 0 -> [Row(5)] f(30*(1+normal(0, 0.1))) Wall(m-1)\n"
           "Row(m) : m > 0 -> [+(normal(0, 5)) *(exp(normal(0, 0.2))) Window] -(90) f(20*(1+normal(0, 0.1))) +(90) Row(m-1)\n"
           "Window -> [A] [f(2) B]\n");
-    CHECK(rules(randomize(grammar_of(tree), {.angle = 5}).grammar) ==
-          "R(m) : m > 0 -> A [-(17) f(64) *(0.8) -(3+normal(0, 5)) R(m-1)] [+(7) f(181) *(0.6) +(23+normal(0, 5)) R(m-1)]\n");
+    CHECK(
+        rules(randomize(grammar_of(tree), {.angle = 5}).grammar) ==
+        "R(m) : m > 0 -> A [-(17) f(64) *(0.8) -(3+normal(0, 5)) R(m-1)] [+(7) f(181) *(0.6) +(23+normal(0, 5)) R(m-1)]\n");
 }
 
 TEST_CASE("a deviation of 0 gives the grammar from before, exactly") {
@@ -114,8 +117,7 @@ TEST_CASE("noise leaves every name, and can be set by its own") {
         }
     }
     const Grammar noisy = randomize(grammar_of(ring), {.angle = 5}).grammar;
-    CHECK(rules(set(noisy, "Ring.A.angle_noise=2")) ==
-          "Ring(m) : m > 0 -> [+(normal(0, 2)) f(50) A] +(30) Ring(m-1)\n");
+    CHECK(rules(set(noisy, "Ring.A.angle_noise=2")) == "Ring(m) : m > 0 -> [+(normal(0, 2)) f(50) A] +(30) Ring(m-1)\n");
     CHECK(rules(set(randomize(grammar_of(helix), {.angle = 5}).grammar, "P.spin=9")) ==
           "P(m) : m > 0 -> A f(27.5) *(0.993) +(9+normal(0, 5)) P(m-1)\n");
 }
@@ -233,7 +235,8 @@ TEST_CASE("symmetrizing takes away noise and exceptions that only move, turn or 
     const Grammar grammar = grammar_of(
         "axiom: Row(6)\nRow(m) : m > 0 -> [A] f(10) Row(m-1)\n"
         "except 1.1 -> f(0.2) +(3) A\nexcept 1.2 -> f(-3) B\nexcept 1.3 ->\nexcept 1.4 -> *(1.01) z(1) A\n"
-        "except 1.5 -> -(2) A\n" + leaf);
+        "except 1.5 -> -(2) A\n" +
+        leaf);
     const EditResult edit = symmetrize(randomize(grammar, {.angle = 4}).grammar);
     REQUIRE(edit.grammar.exceptions.size() == 3);
     CHECK(edit.grammar.exceptions[0].address == Address{1, 2});
@@ -241,9 +244,9 @@ TEST_CASE("symmetrizing takes away noise and exceptions that only move, turn or 
     CHECK(edit.grammar.exceptions[1].address == Address{1, 3});
     CHECK(edit.grammar.exceptions[2].successor.size() == 2);  // z(1) A
     CHECK(rules(edit.grammar) == rules(grammar));
-    CHECK(edit.changes ==
-          std::vector<std::string>{"noise taken away: Row.A.angle_noise", "2 exceptions dropped that only moved, turned or scaled",
-                                   "1 exception moved back to the regular place"});
+    CHECK(edit.changes == std::vector<std::string>{"noise taken away: Row.A.angle_noise",
+                                                   "2 exceptions dropped that only moved, turned or scaled",
+                                                   "1 exception moved back to the regular place"});
     CHECK(symmetrize(grammar, {.all_exceptions = true}).grammar.exceptions.empty());
 }
 
@@ -258,11 +261,14 @@ TEST_CASE("symmetrizing closes rings that nearly close, and leaves others open")
 
 TEST_CASE("symmetrizing makes neighbouring rules and branches agree where they nearly do") {
     CHECK(rules(symmetrize(grammar_of("axiom: [X(5)] f(40) [Y(5)]\nX(m) : m > 0 -> [A] -(90) f(10.07) +(90) X(m-1)\n"
-                                      "Y(m) : m > 0 -> [B] f(0.01) -(90) f(10) +(90.2) Y(m-1)\n" + leaf)).grammar) ==
-          "X(m) : m > 0 -> [A] -(90) f(10) +(90) X(m-1)\nY(m) : m > 0 -> [B] f(0) -(90) f(10) +(90) Y(m-1)\n");
-    CHECK(rules(symmetrize(grammar_of("axiom: T(3)\nT(m) : m > 0 -> A f(9) [+(29.7) *(0.7) T(m-1)] [-(30) *(0.71) T(m-1)]\n" +
-                                      leaf)).grammar) ==
-          "T(m) : m > 0 -> A f(9) [+(30) *(0.7) T(m-1)] [-(30) *(0.7) T(m-1)]\n");
-    const std::string different = "axiom: [X(5)] [Y(5)]\nX(m) : m > 0 -> [A] f(10) X(m-1)\nY(m) : m > 0 -> [A] f(12) Y(m-1)\n";
+                                      "Y(m) : m > 0 -> [B] -(90) f(10) +(90.2) Y(m-1)\n" +
+                                      leaf))
+                    .grammar) ==
+          "X(m) : m > 0 -> [A] -(90) f(10) +(90) X(m-1)\nY(m) : m > 0 -> [B] -(90) f(10) +(90) Y(m-1)\n");
+    CHECK(rules(symmetrize(
+                    grammar_of("axiom: T(3)\nT(m) : m > 0 -> [A] [+(29.7) *(0.7) T(m-1)] [-(30) *(0.71) T(m-1)]\n" + leaf))
+                    .grammar) == "T(m) : m > 0 -> [A] [+(30) *(0.7) T(m-1)] [-(30) *(0.7) T(m-1)]\n");
+    const std::string different =
+        "axiom: [X(5)] [Y(5)]\nX(m) : m > 0 -> [A] f(10) X(m-1)\nY(m) : m > 0 -> [A] f(12) Y(m-1)\n";
     CHECK(symmetrize(grammar_of(different + leaf)).changes.empty());
 }
