@@ -12,7 +12,7 @@ namespace {
 
 struct ExceptionWatch {
     std::vector<bool> met;
-    void command(const CompiledModule&, double) {}
+    void command(const CompiledModule&, std::span<const double>) {}
     void leaf(const CompiledModule&, std::span<const double>, const StreamPlace&) {}
     void exception(int index) { met[static_cast<std::size_t>(index)] = true; }
 };
