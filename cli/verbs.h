@@ -21,6 +21,7 @@ void add_set(CLI::App& program, Job& job);
 void add_randomize(CLI::App& program, Job& job);
 void add_normalize(CLI::App& program, Job& job);
 void add_replace(CLI::App& program, Job& job);
+void add_inkscape(CLI::App& program, Job& job);
 
 /// Declares a verb with options of type `Options`; parsing it makes `run` on them the job.
 template <class Options>

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "exports/cfdg.h"
+#include "exports/cpfg.h"
 #include "exports/json_placements.h"
+#include "exports/lpy.h"
 #include "exports/svg_clones.h"
 
 namespace rinceau {
@@ -11,7 +14,10 @@ namespace rinceau {
 namespace {
 
 constexpr std::array formats{
+    ExportFormat{"cfdg", ".cfdg", "Context Free", to_cfdg},
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
+    ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
+    ExportFormat{"cpfg", ".l", "cpfg of the Virtual Laboratory, with .v and .map", to_cpfg},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 

@@ -27,7 +27,10 @@ Json style_json(int number, const Style& style) {
     return {{"number", number},
             {"fill", paint_text(style.fill)},
             {"stroke", paint_text(style.stroke.paint)},
-            {"stroke_width", style.stroke.width}};
+            {"stroke_width", style.stroke.width},
+            {"fixed", style.stroke.fixed},
+            {"stroke_first", style.stroke_first},
+            {"fill_rule", style.fill_rule == FillRule::evenodd ? "evenodd" : "nonzero"}};
 }
 
 Json terminal_json(const Terminal& terminal) {
@@ -42,6 +45,7 @@ Json placement_json(const Grammar& grammar, const Placement& placement) {
     return {{"terminal", placement.terminal},
             {"style", placement.style != 0 ? placement.style : own},
             {"layer", placement.layer},
+            {"order", placement.order},
             {"matrix", matrix_json(to_affine(placement.pose))}};
 }
 

@@ -3,7 +3,6 @@
 // productions), with the address of every module.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "geometry/progress.h"
 #include "lsystem/grammar.h"
+#include "lsystem/text_pieces.h"
 
 namespace rinceau {
 
@@ -23,12 +23,12 @@ struct Module {
 };
 
 struct DeriveOptions {
-    int depth = -1;                          ///< steps of rewriting; -1 = until nothing is left to rewrite
-    std::optional<std::uint64_t> seed;       ///< for random numbers and stochastic productions; else the grammar's, else 1
+    int depth = -1;                     ///< steps of rewriting; -1 = until nothing is left to rewrite
+    std::optional<std::uint64_t> seed;  ///< for random numbers and stochastic productions; else the grammar's, else 1
     /// In the derived string and rewritten on the way, together; more -> LimitError naming the production that grew.
     std::uint64_t max_modules = 20'000'000;
-    int max_recursion = 100'000;             ///< steps when depth = -1; more -> LimitError naming the production
-    double max_seconds = 0;                  ///< 0 = no limit; more -> LimitError naming the production
+    int max_recursion = 100'000;  ///< steps when depth = -1; more -> LimitError naming the production
+    double max_seconds = 0;       ///< 0 = no limit; more -> LimitError naming the production
 };
 
 /// The derived string: what axiom, rewriting and decomposition give; homomorphisms only draw (interpret.h).
@@ -61,5 +61,9 @@ ModuleString derive(const Grammar& grammar, const DeriveOptions& options = {}, c
 
 /// "+(30) f(12.5) [ A ] ..." with numbers in shortest round-trip form.
 std::string to_text(const ModuleString& string);
+
+/// The same text without the string, as it is derived: memory is proportional to the depth. Throws as derive() and as the
+/// sink; what was passed on before is a beginning of the text.
+void derive_text(const Grammar& grammar, const DeriveOptions& options, const TextSink& sink, const Progress& progress = {});
 
 }  // namespace rinceau

@@ -15,6 +15,8 @@ A format is a module of readers/, named as in --formats, with
                    the elements that the program (or an independent reader) makes of the exported file, in paint order;
                    `folder` is for files of its own
     elements(picture) -> [Element]   optional: what is to be compared with, if it is not picture.elements()
+    pairs(exported, picture, folder) -> [(wanted points, found points)]
+                   instead of read and elements, where lines and fills are compared (drawn.py)
 """
 import argparse
 import importlib
@@ -29,9 +31,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from readers.picture import Disagreement, Picture, largest_distance  # noqa: E402
+from readers.picture import Disagreement, Element, Picture, largest_distance  # noqa: E402
 
-SHARED = {"__init__", "picture"}  # modules of readers/ that are no format
+SHARED = {"__init__", "picture", "drawn"}  # modules of readers/ that are no format
 FORMATS = sorted(module.stem for module in (ROOT / "tests/tools/readers").glob("*.py") if module.stem not in SHARED)
 
 
@@ -69,8 +71,13 @@ def compare(program, grammar, reader):
             picture = Picture(json.loads((folder / "placements.json").read_text()))
             exported = folder / ("picture" + getattr(reader, "ENDING", "." + reader.FORMAT))
             notes = run_export(program, grammar, reader.FORMAT, exported)
-            wanted = reader.elements(picture) if hasattr(reader, "elements") else picture.elements()
-            share = largest_distance(wanted, reader.read(exported, picture, folder)) / picture.diagonal()
+            if hasattr(reader, "pairs"):
+                pairs = reader.pairs(exported, picture, folder)
+                wanted, found = ([Element(pair[side]) for pair in pairs] for side in (0, 1))
+            else:
+                wanted = reader.elements(picture) if hasattr(reader, "elements") else picture.elements()
+                found = reader.read(exported, picture, folder)
+            share = largest_distance(wanted, found) / picture.diagonal()
         except Refused as refused:
             return Result(reason=str(refused))
         except (Disagreement, subprocess.SubprocessError) as fault:
