@@ -8,7 +8,7 @@
 using namespace rinceau::test;
 
 namespace {
-const std::vector<std::string> verbs = {"analyze", "render", "derive", "check", "set", "randomize", "normalize"};
+const std::vector<std::string> verbs = {"analyze", "render", "derive", "check", "set", "randomize", "symmetrize", "normalize"};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
