@@ -15,9 +15,10 @@ struct CheckOptions {
 
 int check(const CheckOptions& options) {
     const std::string label = input_label(options.input);
-    const std::vector<Warning> mistakes = check_grammar(read_input(options.input), label);
-    for (const Warning& mistake : mistakes) say(located(mistake.place, mistake.message));
-    if (!mistakes.empty()) return exit_status::input_at_fault;
+    const GrammarFindings findings = inspect_grammar(read_input(options.input), label, read_input);
+    for (const Warning& mistake : findings.mistakes) say(located(mistake.place, mistake.message));
+    if (!findings.mistakes.empty()) return exit_status::input_at_fault;
+    for (const Warning& hint : findings.hints) say(located(hint.place, "hint: " + hint.message));
     write_output("", label + ": good\n");
     return exit_status::done;
 }

@@ -4,9 +4,9 @@
 #include "cli/derive_options.h"
 #include "cli/exit_status.h"
 #include "cli/files.h"
+#include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/verbs.h"
-#include "lsystem/grammar_text.h"
 
 namespace rinceau {
 namespace {
@@ -20,12 +20,14 @@ struct DeriveVerbOptions {
 int derive_string(const DeriveVerbOptions& options) {
     expect_writable(options.output);
     const Grammar grammar = read_grammar(options.input);
-    std::string text;
+    OutputFile output(options.output);
     {
         ProgressBar bar;
-        text = to_text(derive(grammar, options.derive, bar.callback()));
+        derive_text(
+            grammar, options.derive, [&](std::string_view piece) { output.write(piece); }, bar.callback());
     }
-    write_output(options.output, text + "\n");
+    output.write("\n");
+    output.finish();
     return exit_status::done;
 }
 

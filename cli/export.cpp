@@ -18,6 +18,7 @@ struct ExportVerbOptions {
     std::string format;
     std::string output;
     DeriveOptions derive;
+    bool live_random = false;
 };
 
 /// Letters, digits and underscores of the input's name.
@@ -39,7 +40,8 @@ int export_rules(const ExportVerbOptions& options) {
     expect_writable(options.output);
     const Grammar grammar = read_grammar(options.input);
     const Export result =
-        find_export_format(options.format)->write(grammar, {.derive = options.derive, .name = name_of(options.input)});
+        find_export_format(options.format)
+            ->write(grammar, {.derive = options.derive, .name = name_of(options.input), .live_random = options.live_random});
     for (const std::string& note : result.notes) say("note: " + note);
     const bool to_file = !options.output.empty() && options.output != "-";
     if (!to_file && !result.companions.empty()) say("note: files that belong beside this one are written only with -o FILE");
@@ -67,6 +69,8 @@ void add_export(CLI::App& program, Job& job) {
     verb->add_option("--to", options->format, help)->required()->check(CLI::IsMember(names))->type_name("FORMAT");
     verb->add_option("-o,--output", options->output, "Where to write it; without it, to standard output")->type_name("FILE");
     add_derive_options(*verb, options->derive);
+    verb->add_flag("--live-random", options->live_random,
+                   "Write what is drawn by chance as such, where the format can; else it is frozen at the seed");
 }
 
 }  // namespace rinceau

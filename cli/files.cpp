@@ -1,20 +1,16 @@
 #include "cli/files.h"
 
 #include <fcntl.h>
-#include <signal.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
-#include "cli/exit_status.h"
+#include "cli/output_file.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/resolve_uses.h"
 #include "scene/input_error.h"
@@ -25,13 +21,7 @@ namespace {
 constexpr std::size_t max_input_bytes = std::size_t{512} << 20;  // as much text as read_svg accepts
 constexpr std::size_t chunk_bytes = std::size_t{64} << 10;
 
-bool is_standard_stream(const std::string& name) { return name.empty() || name == "-"; }
-
 std::string reason(int error) { return std::strerror(error); }
-
-[[noreturn]] void fail_output(const std::string& name, int error) {
-    throw OutputError(name + ": cannot be written: " + reason(error));
-}
 
 // An open file, closed at the end of its life.
 class Descriptor {
@@ -43,40 +33,10 @@ class Descriptor {
         if (number_ >= 0) ::close(number_);
     }
     int number() const { return number_; }
-    /// Closes now; false if what was written did not reach the file.
-    bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
   private:
     int number_;
 };
-
-// While it lives, signals that would end the program wait.
-class SignalsHeld {
-  public:
-    SignalsHeld() {
-        sigset_t ending;
-        sigemptyset(&ending);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&ending, signal);
-        pthread_sigmask(SIG_BLOCK, &ending, &before_);
-    }
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
-    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-  private:
-    sigset_t before_{};
-};
-
-// 0, or the error.
-int write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
 
 std::string read_all(int descriptor, const std::string& label) {
     std::string bytes;
@@ -91,50 +51,6 @@ std::string read_all(int descriptor, const std::string& label) {
                              "larger than " + std::to_string(max_input_bytes >> 20) + " MiB, the most that is read");
         bytes.append(chunk.data(), static_cast<std::size_t>(count));
     }
-}
-
-// Links followed, so that a link stays one; a name that does not exist yet as it is.
-std::string resolved(const std::string& name) {
-    std::error_code error;
-    const auto target = std::filesystem::canonical(name, error);
-    return error ? name : target.string();
-}
-
-// A name in the folder of `target` that no other file has, created empty and open.
-std::pair<std::string, int> create_beside(const std::string& target) {
-    constexpr int attempts = 100;
-    const auto folder = std::filesystem::path(target).parent_path();
-    for (int i = 0; i < attempts; ++i) {
-        const auto file = ".rinceau-" + std::to_string(::getpid()) + "-" + std::to_string(i);
-        std::string name = (folder / file).string();
-        constexpr mode_t everyone_may = 0666;  // less what the user's mask takes away
-        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everyone_may);
-        if (descriptor >= 0) return {std::move(name), descriptor};
-        if (errno != EEXIST) break;
-    }
-    fail_output(target, errno);
-}
-
-void replace_file(const std::string& target, const std::optional<mode_t>& mode, std::string_view bytes) {
-    const SignalsHeld held;
-    const auto [beside, number] = create_beside(target);
-    Descriptor file(number);
-    int error = write_all(file.number(), bytes);
-    if (error == 0 && mode && ::fchmod(file.number(), *mode) != 0) error = errno;
-    if (error == 0 && ::fsync(file.number()) != 0) error = errno;
-    if (error == 0 && !file.close()) error = errno;
-    if (error == 0 && ::rename(beside.c_str(), target.c_str()) != 0) error = errno;
-    if (error == 0) return;
-    ::unlink(beside.c_str());
-    fail_output(target, error);
-}
-
-// Devices and pipes have no name to rename to.
-void write_through(const std::string& target, std::string_view bytes) {
-    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
-    int error = file.number() < 0 ? errno : write_all(file.number(), bytes);
-    if (error == 0 && !file.close()) error = errno;
-    if (error != 0) fail_output(target, error);
 }
 
 }  // namespace
@@ -154,17 +70,9 @@ Grammar read_grammar_as_written(const std::string& name) { return parse_grammar(
 Grammar read_grammar(const std::string& name) { return resolve_uses(read_grammar_as_written(name), read_input); }
 
 void write_output(const std::string& name, std::string_view bytes) {
-    if (is_standard_stream(name)) {
-        if (const int error = write_all(STDOUT_FILENO, bytes)) fail_output("<stdout>", error);
-        return;
-    }
-    const std::string target = resolved(name);
-    struct stat status {};
-    const bool exists = ::stat(target.c_str(), &status) == 0;
-    if (exists && ::access(target.c_str(), W_OK) != 0) fail_output(name, errno);
-    if (exists && !S_ISREG(status.st_mode)) return write_through(target, bytes);
-    constexpr mode_t permissions = 07777;
-    replace_file(target, exists ? std::optional(status.st_mode & permissions) : std::nullopt, bytes);
+    OutputFile file(name);
+    file.write(bytes);
+    file.finish();
 }
 
 void expect_writable(const std::string& name) {

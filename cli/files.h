@@ -23,9 +23,7 @@ Grammar read_grammar_as_written(const std::string& name);
 /// way.
 Grammar read_grammar(const std::string& name);
 
-/// Puts `bytes` in the place of the file `name`; "" or "-" = standard output. A regular file is written beside its name and
-/// renamed, signals that would end the program wait meanwhile: either the old content stands there or the new one, and
-/// nothing is left over. A symbolic link is followed. Throws OutputError.
+/// Puts `bytes` in the place of the file `name`, as OutputFile does. Throws OutputError.
 void write_output(const std::string& name, std::string_view bytes);
 
 /// Throws OutputError if it is plain beforehand that `name` cannot be written: its folder is missing or it is a folder.

@@ -1,8 +1,12 @@
 // rinceau: every core function from the command line.
 
+#include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -15,9 +19,10 @@ namespace {
 
 using namespace rinceau;
 
-int parse_and_run(CLI::App& program, const Job& job, int argc, char** argv) {
+int parse_and_run(CLI::App& program, const Job& job, std::vector<std::string> words) {
     try {
-        program.parse(argc, argv);
+        std::ranges::reverse(words);  // as the library wants them
+        program.parse(std::move(words));
         return job();
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? exit_status::done : exit_status::command_line_at_fault;
@@ -41,6 +46,13 @@ void describe(CLI::App& program) {
     });
 }
 
+/// Inkscape starts a program without a verb; by this name it means that one.
+std::vector<std::string> words_of(int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (argc > 0 && std::filesystem::path(argv[0]).stem() == "rinceau-inkscape") words.insert(words.begin(), "inkscape");
+    return words;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -52,10 +64,12 @@ int main(int argc, char** argv) {
     add_derive(program, job);
     add_check(program, job);
     add_export(program, job);
+    add_set(program, job);
     add_normalize(program, job);
     add_replace(program, job);
+    add_inkscape(program, job);
     try {
-        return parse_and_run(program, job, argc, argv);
+        return parse_and_run(program, job, words_of(argc, argv));
     } catch (const InputError& error) {
         say(error.what());
         return exit_status::input_at_fault;

@@ -12,6 +12,7 @@ namespace rinceau {
 struct ExportOptions {
     DeriveOptions derive;          ///< depth and seed, where the export has to derive
     std::string name = "rinceau";  ///< of the whole, for formats that name things: letters, digits, underscores
+    bool live_random = false;      ///< write draws by chance as such where the format can; else they are frozen at the seed
 };
 
 /// A file that belongs beside the exported one: its name is that of the export with its ending replaced by `ending`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "exports/cfdg.h"
 #include "exports/cpfg.h"
 #include "exports/fractint.h"
 #include "exports/houdini.h"
@@ -15,6 +16,7 @@ namespace rinceau {
 namespace {
 
 constexpr std::array formats{
+    ExportFormat{"cfdg", ".cfdg", "Context Free", to_cfdg},
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
     ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
     ExportFormat{"cpfg", ".l", "cpfg of the Virtual Laboratory, with .v and .map", to_cpfg},

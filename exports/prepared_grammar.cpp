@@ -64,7 +64,7 @@ std::vector<StyleChoice> styles_of(const PreparedGrammar& prepared, const Termin
     return choices;
 }
 
-std::set<std::string> all_symbols_of(const Grammar& grammar) {
+std::set<std::string> all_symbols(const Grammar& grammar) {
     std::set<std::string> symbols;
     const auto look = [&](const std::vector<ModuleTemplate>& modules) {
         for (const ModuleTemplate& module : modules) {

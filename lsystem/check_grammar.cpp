@@ -3,12 +3,18 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
+#include "lsystem/check_ends.h"
+#include "lsystem/check_productions.h"
 #include "lsystem/check_strings.h"
 #include "lsystem/compile.h"
+#include "lsystem/grammar_hints.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/parse_text.h"
+#include "lsystem/resolve_uses.h"
+#include "lsystem/similar_name.h"
 #include "lsystem/stream.h"
 
 namespace rinceau {
@@ -31,117 +37,99 @@ Progress stop_after(double seconds) {
 struct ExceptionWatch {
     std::vector<bool> met;
 
-    void command(const CompiledModule&, double) {}
+    void command(const CompiledModule&, std::span<const double>) {}
     void leaf(const CompiledModule&, std::span<const double>, const StreamPlace&) {}
     void exception(int index) { met[static_cast<std::size_t>(index)] = true; }
 };
 
-/// What its condition, weight and successor may use.
-std::vector<std::string> names_in(const Production& production) {
-    std::vector<std::string> names = production.parameters;
-    for (const auto* context : {&production.left_context, &production.right_context}) {
-        for (const ContextModule& module : *context)
-            names.insert(names.end(), module.parameters.begin(), module.parameters.end());
-    }
-    return names;
-}
-
 class GrammarChecker {
   public:
-    GrammarChecker(std::string_view text, const std::string& file_name) : file_name_(file_name) {
-        state_ = parse_text(text, file_name);
-        warnings_ = state_.mistakes;
+    GrammarChecker(std::string_view text, const std::string& file_name, const GrammarLoader& load)
+        : file_name_(file_name), state_(parse_text(text, file_name)), warnings_(state_.mistakes) {
+        if (grammar().uses.empty()) return;
+        if (!load) {
+            complete_ = false;
+            warn(grammar().uses.front().place, "expected a grammar without 'use' where no other file can be read");
+            return;
+        }
+        ResolvedGrammar resolved = resolve_uses_with_mistakes(grammar(), load);
+        complete_ = resolved.mistakes.empty();
+        add(resolved.mistakes);
+        state_.grammar = std::move(resolved.grammar);
     }
 
-    std::vector<Warning> check() {
-        names_.emplace(grammar());
-        check_constants();
-        check_axiom();
-        for (const Production& production : grammar().productions) check_production(production);
-        for (const Exception& exception : grammar().exceptions) check_exception(exception);
-        check_terminals();
+    GrammarFindings check() {
+        check_names();
         if (warnings_.empty()) try_derivation();
-        std::ranges::stable_sort(warnings_, [](const Warning& a, const Warning& b) {
-            return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
-        });
-        return std::move(warnings_);
+        const bool full = warnings_.size() >= max_mistakes;
+        put_in_order();
+        if (full) {
+            warnings_.push_back({warnings_.back().place, "expected fewer mistakes than " + std::to_string(max_mistakes) +
+                                                             ", found more: correct these first"});
+        }
+        GrammarFindings findings{std::move(warnings_), {}};
+        if (findings.mistakes.empty()) findings.hints = grammar_hints(grammar(), file_name_);
+        return findings;
     }
 
   private:
     std::string file_name_;
     ParseState state_;
-    Scope scope_;  // the constants, and the parameters of the production that is being checked
+    Scope scope_;  // the constants; those whose value is not known are parameters
     std::optional<KnownNames> names_;
-    /// Of the productions so far, by symbol and number of parameters: the line of the one without a condition.
-    std::map<std::pair<std::string_view, std::size_t>, std::optional<int>> unconditional_;
     std::map<std::vector<int>, int> exception_lines_;  // by address
     std::vector<Warning> warnings_;
+    bool complete_ = true;  // else unknown names may be those of files that could not be read
 
     const Grammar& grammar() const { return state_.grammar; }
-    void warn(const SourcePlace& place, const std::string& message) { warnings_.push_back({place, message}); }
+    void warn(const SourcePlace& place, const std::string& message) { add_mistake(warnings_, place, message); }
+    void add(const std::vector<Warning>& found) {
+        for (const Warning& warning : found) warn(warning.place, warning.message);
+    }
+
+    /// By file in the order in which they are met, the grammar's own first, then by place.
+    void put_in_order() {
+        std::map<std::string, std::size_t> files{{file_name_, 0}};
+        for (const Warning& warning : warnings_) files.try_emplace(warning.place.file, files.size());
+        const auto key = [&](const Warning& warning) {
+            return std::tuple(files.at(warning.place.file), warning.place.line, warning.place.column);
+        };
+        std::ranges::stable_sort(warnings_, {}, key);
+    }
+
+    void check_names() {
+        names_.emplace(grammar(), state_.spoilt, complete_);
+        check_constants();
+        check_axiom();
+        const ProductionOrder order(grammar(), scope_);
+        add(check_productions(grammar(), *names_, scope_, order, state_.unsure));
+        add(check_ends(grammar(), order, state_.unsure));
+        for (const Exception& exception : grammar().exceptions) check_exception(exception);
+        check_exceptions_with_contexts();
+        check_ignored();
+        check_terminals();
+    }
 
     void check_constants() {
         for (const Constant& constant : grammar().constants) {
-            double value = 1;  // stands for a faulty one, so that its users are not reported too
-            try {
-                value = compile_expression(constant.value, scope_, constant.place).code.front().number;
-            } catch (const InputError& error) {
-                warnings_.push_back(warning_of(error));
+            const CheckedExpression checked = check_expression(*names_, constant.value, scope_, constant.place);
+            add(checked.mistakes);
+            if (checked.program && is_constant(*checked.program)) {
+                scope_.constants.try_emplace(constant.name, checked.program->code.front().number);
+            } else {
+                scope_.parameters.push_back(constant.name);
             }
-            if (!std::isfinite(value)) warn(constant.place, "expected a finite value of the constant " + constant.name);
-            scope_.constants.try_emplace(constant.name, value);
         }
+        scope_.parameters.insert(scope_.parameters.end(), state_.spoilt.begin(), state_.spoilt.end());
     }
 
-    void check_string_here(const std::vector<ModuleTemplate>& string) {
-        const std::vector<Warning> found = check_string(*names_, string, scope_);
-        warnings_.insert(warnings_.end(), found.begin(), found.end());
-    }
+    void check_string_here(const std::vector<ModuleTemplate>& string) { add(check_string(*names_, string, scope_)); }
 
     void check_axiom() {
-        if (!state_.lines.contains("axiom")) {
+        if (!state_.first_places.contains("axiom") || (grammar().axiom.empty() && warnings_.empty())) {
             warn({file_name_, 1, 1}, "expected an axiom, such as 'axiom: A', found none: nothing would be drawn");
         }
         check_string_here(grammar().axiom);
-    }
-
-    void check_production(const Production& production) {
-        scope_.parameters = names_in(production);
-        check_string_here(production.successor);
-        bool always = !production.condition;
-        if (production.condition) {
-            try {
-                const Program condition = compile_expression(*production.condition, scope_, production.place);
-                const bool fixed = is_constant(condition);
-                always = fixed && condition.code.front().number != 0;
-                if (fixed && !always)
-                    warn(production.place, "expected a condition that can hold, found one that never does");
-            } catch (const InputError& error) {
-                warnings_.push_back(warning_of(error));
-            }
-        }
-        scope_.parameters.clear();
-        check_turn(production, always);
-    }
-
-    /// Productions of one symbol are tried in order.
-    void check_turn(const Production& production, bool always) {
-        const auto [found, is_first] = unconditional_.try_emplace({production.symbol, production.parameters.size()});
-        std::optional<int>& unconditional = found->second;
-        if (unconditional) {
-            warn(production.place, "expected a production that can apply, found one that never does: the one in line " +
-                                       std::to_string(*unconditional) + " always comes first; give that one a condition");
-            return;
-        }
-        if (!production.condition) unconditional = production.place.line;
-        const bool recursive = std::ranges::any_of(production.successor, [&](const ModuleTemplate& module) {
-            return module.symbol == production.symbol && module.arguments.size() == production.parameters.size();
-        });
-        if (always && is_first && recursive) {
-            warn(production.place,
-                 "expected a production that ends, found " + production.symbol +
-                     " in its own successor without a condition: add one, such as ': m > 0', or derive to a depth");
-        }
     }
 
     void check_exception(const Exception& exception) {
@@ -150,6 +138,26 @@ class GrammarChecker {
         if (!is_first) {
             warn(exception.place, "expected one exception at an address, found another: the first is in line " +
                                       std::to_string(first->second));
+        }
+    }
+
+    void check_exceptions_with_contexts() {
+        const auto in_context = std::ranges::find_if(grammar().productions, [](const Production& production) {
+            return !production.left_context.empty() || !production.right_context.empty();
+        });
+        if (in_context == grammar().productions.end() || grammar().exceptions.empty()) return;
+        warn(grammar().exceptions.front().place,
+             "expected no exceptions in a grammar with contexts, found both: the production in line " +
+                 std::to_string(in_context->place.line) + " has a context; take that away, or write a rule instead of this");
+    }
+
+    void check_ignored() {
+        for (const std::string& symbol : grammar().ignored) {
+            if (names_->occurring.contains(symbol) || names_->is_excused(symbol)) continue;
+            const auto place = state_.first_places.find("ignore " + symbol);
+            if (place == state_.first_places.end()) continue;  // of another file
+            warn(place->second, "expected symbols behind 'ignore' that stand in the axiom or a successor, found '" + symbol +
+                                    "', which stands in none" + did_you_mean(symbol, names_->symbols) + ": take it away");
         }
     }
 
@@ -194,8 +202,12 @@ class GrammarChecker {
 
 }  // namespace
 
-std::vector<Warning> check_grammar(std::string_view text, const std::string& file_name) {
-    return GrammarChecker(text, file_name).check();
+GrammarFindings inspect_grammar(std::string_view text, const std::string& file_name, const GrammarLoader& load) {
+    return GrammarChecker(text, file_name, load).check();
+}
+
+std::vector<Warning> check_grammar(std::string_view text, const std::string& file_name, const GrammarLoader& load) {
+    return inspect_grammar(text, file_name, load).mistakes;
 }
 
 }  // namespace rinceau

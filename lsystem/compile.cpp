@@ -9,12 +9,32 @@ namespace rinceau {
 
 namespace {
 
+/// What a salt is for, so that draws of different kinds in one place differ.
+enum class SaltOf : unsigned char { constant, command, symbol, condition, weight, choice, exception };
+
+template <class... Steps>
+std::uint64_t salt_of(SaltOf what, Steps... steps) {
+    std::uint64_t salt = key_below(0, static_cast<std::uint64_t>(what));
+    ((salt = key_below(salt, static_cast<std::uint64_t>(steps))), ...);
+    return salt;
+}
+
+/// By name, so that a constant's draws do not depend on the others.
+std::uint64_t salt_of_constant(const std::string& name) {
+    std::uint64_t salt = salt_of(SaltOf::constant);
+    for (const char letter : name) salt = key_below(salt, static_cast<unsigned char>(letter));
+    return salt;
+}
+
 /// The values of the constants.
-std::unordered_map<std::string, double> evaluate_constants(const Grammar& grammar) {
+std::unordered_map<std::string, double> evaluate_constants(const Grammar& grammar, DrawKey root) {
     Scope scope;
+    std::vector<double> stack;
     for (const Constant& constant : grammar.constants) {
-        const Program program = compile_expression(constant.value, scope, constant.place);
-        const double value = program.code.front().number;  // folded: the scope has constants only
+        Program program = compile_expression(constant.value, scope, constant.place);
+        salt_draws(program, salt_of_constant(constant.name));
+        stack.resize(static_cast<std::size_t>(program.stack_size));
+        const double value = evaluate(program, nullptr, stack.data(), root);
         if (!std::isfinite(value)) {
             throw InputError(constant.place, "expected a finite value of the constant " + constant.name + ", found " +
                                                  to_text(constant.value));
@@ -30,27 +50,28 @@ void expect_derivable(const Grammar& grammar) {
     };
     if (!grammar.uses.empty()) refuse(grammar.uses.front().place, "'use'");
     for (const Production& production : grammar.productions) {
-        if (production.kind != ProductionKind::rewriting) refuse(production.place, "decompositions and homomorphisms");
         if (!production.left_context.empty() || !production.right_context.empty()) refuse(production.place, "contexts");
-        if (production.weight) refuse(production.place, "weights");
     }
 }
 
 class Compiler {
   public:
-    explicit Compiler(const Grammar& grammar)
-        : result_{.grammar = &grammar, .styles = StyleTable(grammar), .exception_tree = ExceptionTree(grammar.exceptions)} {}
+    Compiler(const Grammar& grammar, std::uint64_t seed)
+        : result_{.grammar = &grammar,
+                  .styles = StyleTable(grammar),
+                  .exception_tree = ExceptionTree(grammar.exceptions),
+                  .root = root_key(seed)} {}
 
     CompiledGrammar compile() {
         const Grammar& grammar = *result_.grammar;
         expect_derivable(grammar);
-        scope_.constants = evaluate_constants(grammar);
+        scope_.constants = evaluate_constants(grammar, result_.root);
         add_symbols(grammar);
         for (const Production& production : grammar.productions) add_production(production);
         scope_.parameters.clear();
         result_.axiom = compile_string(grammar.axiom);
         for (const Exception& exception : grammar.exceptions) {
-            result_.exceptions.push_back(compile_string(exception.successor));
+            result_.exceptions.push_back(compile_string(exception.successor, SaltOf::exception));
         }
         result_.terminal_of.resize(result_.symbols.size(), -1);
         result_.productions_of.resize(result_.symbols.size());
@@ -80,7 +101,8 @@ class Compiler {
                                  "expected a symbol of your own before ->, found the command '" + production.symbol + "'");
             }
             if (result_.productions_of.size() <= symbol) result_.productions_of.resize(symbol + 1);
-            result_.productions_of[symbol].push_back(static_cast<int>(&production - grammar.productions.data()));
+            const auto index = static_cast<int>(&production - grammar.productions.data());
+            result_.productions_of[symbol].of(production.kind).push_back(index);
         }
         for (const Terminal& terminal : grammar.terminals) {
             const auto symbol = static_cast<std::size_t>(number_of(terminal.symbol));
@@ -93,8 +115,10 @@ class Compiler {
         }
     }
 
-    Program compile_expression_here(const Expression& expression, const SourcePlace& place) {
+    Program compile_expression_here(const Expression& expression, const SourcePlace& place, std::uint64_t salt) {
         Program program = compile_expression(expression, scope_, place);
+        salt_draws(program, salt);
+        result_.random = result_.random || !program.draws.empty();
         result_.stack_size = std::max(result_.stack_size, program.stack_size);
         return program;
     }
@@ -102,12 +126,31 @@ class Compiler {
     void add_production(const Production& production) {
         CompiledProduction compiled;
         compiled.symbol = number_of(production.symbol);
+        compiled.kind = production.kind;
         compiled.parameters = static_cast<int>(production.parameters.size());
         scope_.parameters = production.parameters;
+        const int turn = turn_of(compiled.symbol, production);
         compiled.conditional = production.condition.has_value();
-        if (compiled.conditional) compiled.condition = compile_expression_here(*production.condition, production.place);
+        if (compiled.conditional) {
+            compiled.condition = compile_expression_here(*production.condition, production.place,
+                                                         salt_of(SaltOf::condition, compiled.kind, turn));
+        }
+        compiled.weighted = production.weight.has_value();
+        if (compiled.weighted) {
+            compiled.weight =
+                compile_expression_here(*production.weight, production.place, salt_of(SaltOf::weight, compiled.kind, turn));
+            compiled.salt = salt_of(SaltOf::choice, compiled.kind, turn);
+            result_.random = true;
+        }
         compiled.successor = compile_string(production.successor);
         result_.productions.push_back(std::move(compiled));
+    }
+
+    /// The place of a production among those of its symbol and kind.
+    int turn_of(Symbol symbol, const Production& production) {
+        const std::vector<int>& alike = result_.productions_of[static_cast<std::size_t>(symbol)].of(production.kind);
+        const auto index = static_cast<int>(&production - result_.grammar->productions.data());
+        return static_cast<int>(std::ranges::find(alike, index) - alike.begin());
     }
 
     void check_arity(const ModuleTemplate& module) const {
@@ -116,15 +159,19 @@ class Compiler {
             throw InputError(module.place, "expected " + arity_text(*command) + " argument(s) of the command " +
                                                module.symbol + ", found " + std::to_string(module.arguments.size()));
         }
-        if (command != nullptr && command->may_be_bare) {
-            throw InputError(module.place, "expected a grammar without " + module.symbol + ", which cannot be drawn");
-        }
+    }
+
+    static std::vector<int> all(ProductionsOfSymbol productions) {
+        std::vector<int> result = std::move(productions.rewriting);
+        result.insert(result.end(), productions.decomposition.begin(), productions.decomposition.end());
+        result.insert(result.end(), productions.homomorphism.begin(), productions.homomorphism.end());
+        return result;
     }
 
     /// A module of a symbol that has productions must fit one of them.
     void check_production_arity(const CompiledString& modules) const {
         for (const CompiledModule& module : modules) {
-            const std::vector<int>& candidates = result_.productions_of[static_cast<std::size_t>(module.symbol)];
+            const std::vector<int> candidates = all(result_.productions_of[static_cast<std::size_t>(module.symbol)]);
             const auto fits = [&](int index) {
                 return result_.productions[static_cast<std::size_t>(index)].parameters == module.argument_count;
             };
@@ -136,8 +183,16 @@ class Compiler {
         }
     }
 
-    CompiledString compile_string(const std::vector<ModuleTemplate>& modules) {
+    /// Where draws stand in a string: behind so many symbols, in so many commands of their kind that draw since the last
+    /// one.
+    struct DrawPlaces {
+        int symbols = 0;
+        std::array<int, command_count> commands{};
+    };
+
+    CompiledString compile_string(const std::vector<ModuleTemplate>& modules, SaltOf commands = SaltOf::command) {
         CompiledString result;
+        DrawPlaces places;
         result.reserve(modules.size());
         for (const ModuleTemplate& module : modules) {
             check_arity(module);
@@ -146,18 +201,33 @@ class Compiler {
             compiled.position = static_cast<int>(result.size());
             compiled.source = &module;
             compiled.argument_count = static_cast<int>(module.arguments.size());
-            compile_arguments(compiled);
+            const bool is_command = compiled.symbol < command_count;
+            if (!is_command) compiled.number = ++places.symbols;
+            const auto symbol = static_cast<std::size_t>(compiled.symbol);
+            const std::uint64_t salt = is_command ? salt_of(commands, symbol, places.symbols, places.commands[symbol])
+                                                  : salt_of(SaltOf::symbol, commands, places.symbols);
+            compile_arguments(compiled, salt);
+            if (!is_command) {
+                places.commands = {};
+            } else if (draws(compiled)) {
+                ++places.commands[symbol];
+            }
             result.push_back(std::move(compiled));
         }
         return result;
     }
 
-    void compile_arguments(CompiledModule& module) {
+    static bool draws(const CompiledModule& module) {
+        return std::ranges::any_of(module.arguments, [](const Program& argument) { return !argument.draws.empty(); });
+    }
+
+    void compile_arguments(CompiledModule& module, std::uint64_t salt) {
         module.first_value = result_.values.size();
         if (!add_numbers(module)) {
             result_.values.resize(module.first_value);
             for (const Expression& argument : module.source->arguments) {
-                module.arguments.push_back(compile_expression_here(argument, module.source->place));
+                module.arguments.push_back(
+                    compile_expression_here(argument, module.source->place, key_below(salt, module.arguments.size())));
             }
             fold_constants(module);
         }
@@ -191,6 +261,9 @@ class Compiler {
 
 }  // namespace
 
-CompiledGrammar compile(const Grammar& grammar) { return Compiler(grammar).compile(); }
+CompiledGrammar compile(const Grammar& grammar, std::optional<std::uint64_t> seed) {
+    constexpr std::uint64_t default_seed = 1;
+    return Compiler(grammar, seed.value_or(grammar.seed.value_or(default_seed))).compile();
+}
 
 }  // namespace rinceau

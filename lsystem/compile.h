@@ -2,6 +2,8 @@
 // A grammar made ready for derivation: symbols and names as numbers. Internal to the folder.
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -21,6 +23,7 @@ constexpr Symbol command_count = 11;
 struct CompiledModule {
     Symbol symbol = 0;
     int position = 0;  ///< in its successor or in the axiom
+    int number = 0;    ///< among the symbols of that string, from 1; 0 = a command
     int argument_count = 0;
     bool constant = true;            ///< all arguments are constants, which begin at first_value of CompiledGrammar::values;
     std::vector<Program> arguments;  ///< else these are they
@@ -33,10 +36,25 @@ using CompiledString = std::vector<CompiledModule>;
 
 struct CompiledProduction {
     Symbol symbol = 0;
+    ProductionKind kind = ProductionKind::rewriting;
     int parameters = 0;
     bool conditional = false;
+    bool weighted = false;
     Program condition;
+    Program weight;
+    std::uint64_t salt = 0;  ///< of the choice among weighted productions
     CompiledString successor;
+};
+
+/// Indices of a symbol's productions, in the grammar's order.
+struct ProductionsOfSymbol {
+    std::vector<int> rewriting;
+    std::vector<int> decomposition;
+    std::vector<int> homomorphism;
+    std::vector<int>& of(ProductionKind kind) {
+        if (kind == ProductionKind::rewriting) return rewriting;
+        return kind == ProductionKind::decomposition ? decomposition : homomorphism;
+    }
 };
 
 /// Refers to the grammar that it was made from, which must outlive it.
@@ -45,17 +63,26 @@ struct CompiledGrammar {
     StyleTable styles;
     std::vector<double> values;  ///< of constant arguments
     std::vector<std::string> symbols;
-    std::vector<std::vector<int>> productions_of;  ///< symbol -> productions, in the grammar's order
-    std::vector<int> terminal_of;                  ///< symbol -> terminal, -1 = none
+    std::vector<ProductionsOfSymbol> productions_of;  ///< by symbol
+    std::vector<int> terminal_of;                     ///< symbol -> terminal, -1 = none
     std::vector<CompiledProduction> productions;
     CompiledString axiom;
     std::vector<CompiledString> exceptions;
     ExceptionTree exception_tree;
-    int stack_size = 1;  ///< of the largest expression
+    int stack_size = 1;   ///< of the largest expression
+    DrawKey root = 0;     ///< key of the axiom
+    bool random = false;  ///< something is drawn, so that keys are needed
+
+    /// A terminal, or what a homomorphism may draw: such a module has an address even where it continues its level.
+    bool is_drawn(Symbol symbol) const {
+        const auto index = static_cast<std::size_t>(symbol);
+        return terminal_of[index] >= 0 || !productions_of[index].homomorphism.empty();
+    }
 };
 
-/// Throws InputError for unknown names, wrong numbers of arguments of commands and of symbols that have productions or are
-/// terminals, constants that are not finite, unknown numbers of styles.
-CompiledGrammar compile(const Grammar& grammar);
+/// `seed` is for random numbers; without one it is the grammar's, without that 1. Throws InputError for unknown names, wrong
+/// numbers of arguments of commands and of symbols that have productions or are terminals, constants that are not finite,
+/// unknown numbers of styles.
+CompiledGrammar compile(const Grammar& grammar, std::optional<std::uint64_t> seed = {});
 
 }  // namespace rinceau

@@ -40,6 +40,12 @@ Color distinct_color(int index) {
     return from_oklab(lightness[static_cast<std::size_t>(index) % lightness.size()], hue.x, hue.y);
 }
 
+Style repainted(Style style, const Repaint& repaint) {
+    if (repaint.fill && std::holds_alternative<Color>(style.fill)) style.fill = *repaint.fill;
+    if (repaint.stroke && std::holds_alternative<Color>(style.stroke.paint)) style.stroke.paint = *repaint.stroke;
+    return style;
+}
+
 Style recolored(Style style, Color color) {
     if (!std::holds_alternative<NoPaint>(style.fill)) style.fill = color;
     if (!std::holds_alternative<NoPaint>(style.stroke.paint)) style.stroke.paint = color;

@@ -20,6 +20,14 @@ void append_turn(Modules& modules, double angle) {
     if (angle != 0) append_command(modules, angle < 0 ? "-" : "+", degrees(std::abs(angle)));
 }
 
+void append_color(Modules& modules, const std::string& command, const std::optional<Color>& color) {
+    if (!color) return;
+    append_command(modules, command, color->red);
+    for (const std::uint8_t channel : {color->green, color->blue}) {
+        modules.back().arguments.push_back(number_expression(channel));
+    }
+}
+
 void append_placement(Modules& modules, const Grammar& grammar, const Placement& placement) {
     const TurtleStep step = to_turtle_step(placement.pose);
     append_command(modules, "[");
@@ -29,6 +37,8 @@ void append_placement(Modules& modules, const Grammar& grammar, const Placement&
     append_turn(modules, step.spin);
     if (step.mirrored) append_command(modules, "|");
     if (placement.style != 0) append_command(modules, ";", placement.style);
+    append_color(modules, "fill", placement.repaint.fill);
+    append_color(modules, "stroke", placement.repaint.stroke);
     append_command(modules, grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol);
     append_command(modules, "]");
 }

@@ -18,8 +18,10 @@ namespace {
 /// What one definition draws.
 struct Look {
     int terminal = 0;
-    int style = 0;   ///< number
-    int color = -1;  ///< index of a distinct colour, -1 = the style's own
+    int style = 0;               ///< number
+    int color = -1;              ///< index of a distinct colour, -1 = the style's own
+    bool repaints_fill = false;  ///< with the colour of the placement
+    bool repaints_stroke = false;
     friend constexpr auto operator<=>(const Look&, const Look&) = default;
 };
 
@@ -31,6 +33,15 @@ struct LookUse {
     std::string stroke_lengths;
     bool lengths_differ = false;
 };
+
+/// `text` without the values of an attribute, so that what is drawn inherits it.
+std::string without_attribute(std::string text, const std::string& name) {
+    const std::string front = ' ' + name + "=\"";
+    for (std::size_t at = text.find(front); at != std::string::npos; at = text.find(front, at)) {
+        text.erase(at, text.find('"', at + front.size()) + 1 - at);
+    }
+    return text;
+}
 
 std::string transform_attribute(const Affine& map) {
     const std::string text = svg_transform_text(map);
@@ -113,8 +124,13 @@ class Writer {
         Look look{placement.terminal, drawn_style_number(grammar_, placement)};
         if (!terminal_of(look).verbatim.empty()) return {placement.terminal};
         switch (options_.color_by) {
-            case ColorBy::none:
+            case ColorBy::none: {
+                const Style& style = styles_.style(look.style);
+                const Style painted = repainted(style, placement.repaint);
+                look.repaints_fill = painted.fill != style.fill;
+                look.repaints_stroke = painted.stroke.paint != style.stroke.paint;
                 break;
+            }
             case ColorBy::rule:
                 look.color = placement.production + 1;
                 break;
@@ -159,30 +175,48 @@ class Writer {
         if (use.count == 1) {
             const std::string& id = terminal_of(look).id;
             const std::string id_attribute = id.empty() || looks_with_id_[id] > 1 ? "" : " id=\"" + xml_escaped(id) + '"';
-            body_ += drawn(look, map, id_attribute + use.stroke_lengths, look_id(look));
+            body_ += drawn(look, placement.repaint, map, id_attribute + use.stroke_lengths, look_id(look));
             return;
         }
         if (use.id.empty()) {
             use.id = look_id(look);
             const std::string shared_lengths = use.lengths_differ ? "" : use.stroke_lengths;
-            definitions_ += drawn(look, {}, " id=\"" + use.id + '"' + shared_lengths, use.id);
+            definitions_ += definition(look, " id=\"" + use.id + '"' + shared_lengths, use.id);
         }
         const std::string own_lengths = use.lengths_differ ? stroke_lengths(look, map) : "";
-        body_ += "<use href=\"#" + use.id + '"' + transform_attribute(map) + own_lengths + "/>\n";
+        body_ += "<use href=\"#" + use.id + '"' + transform_attribute(map) + paint_attributes(look, placement.repaint) +
+                 own_lengths + "/>\n";
+    }
+
+    /// A definition that is repainted inherits its colours from its uses.
+    std::string definition(const Look& look, const std::string& own_attributes, const std::string& gradient_prefix) {
+        std::string text = drawn(look, {}, {}, own_attributes, gradient_prefix);
+        if (look.repaints_fill) text = without_attribute(std::move(text), "fill");
+        if (look.repaints_stroke) text = without_attribute(std::move(text), "stroke");
+        return text;
+    }
+
+    static std::string paint_attributes(const Look& look, const Repaint& repaint) {
+        std::string text;
+        if (look.repaints_fill) text += " fill=\"" + svg_color_text(*repaint.fill) + '"';
+        if (look.repaints_stroke) text += " stroke=\"" + svg_color_text(*repaint.stroke) + '"';
+        return text;
     }
 
     std::string look_id(const Look& look) const {
         std::string id = prefix_ + terminal_of(look).symbol;
         if (look.style != terminal_of(look).style) id += "-style" + std::to_string(look.style);
         if (look.color >= 0) id += "-color" + std::to_string(look.color);
+        if (look.repaints_fill) id += "-fill";
+        if (look.repaints_stroke) id += "-stroke";
         return id;
     }
 
     /// The element itself with further attributes, under `map`; definitions of its gradients go to the definitions.
-    std::string drawn(const Look& look, const Affine& map, const std::string& own_attributes,
+    std::string drawn(const Look& look, const Repaint& repaint, const Affine& map, const std::string& own_attributes,
                       const std::string& gradient_prefix) {
         const Terminal& terminal = terminal_of(look);
-        Element element{terminal.paths, styles_.style(look.style), {}, terminal.verbatim, {}};
+        Element element{terminal.paths, repainted(styles_.style(look.style), repaint), {}, terminal.verbatim, {}};
         if (look.color >= 0) element.style = recolored(std::move(element.style), distinct_color(look.color));
         const SvgElementText text = svg_element_text(element, gradient_prefix + '-');
         definitions_ += text.definitions;

@@ -1,4 +1,4 @@
-// Turtle interpretation (Stava et al. 2010, Table 1; mirror, style and layer added).
+// Turtle interpretation (Stava et al. 2010, Table 1; mirror, style, layer and colours added).
 
 #include "lsystem/interpret.h"
 
@@ -16,6 +16,7 @@ struct TurtleState {
     Similarity pose;
     int style = 0;
     int layer = 0;
+    Repaint repaint;
 };
 
 /// Visit: void (Placement&), which may take the placement.
@@ -25,7 +26,8 @@ class Turtle {
     Turtle(const CompiledGrammar& grammar, const InterpretOptions& options, Visit visit)
         : grammar_(grammar), options_(options), visit_(visit) {}
 
-    void command(const CompiledModule& module, double argument) {
+    void command(const CompiledModule& module, std::span<const double> arguments) {
+        const double argument = arguments.empty() ? 0 : arguments.front();
         switch (static_cast<TurtleCommand>(module.symbol)) {
             case TurtleCommand::left:
                 turn(module.constant ? module.turn : turn_by(argument));
@@ -56,7 +58,10 @@ class Turtle {
                 raise(module, argument);
                 break;
             case TurtleCommand::fill:
+                state_.repaint.fill = color_of(arguments);
+                break;
             case TurtleCommand::stroke:
+                state_.repaint.stroke = color_of(arguments);
                 break;
         }
     }
@@ -67,6 +72,7 @@ class Turtle {
         check_range(module);
         placement_.terminal = terminal;
         placement_.style = state_.style;
+        placement_.repaint = state_.repaint;
         placement_.layer = state_.layer;
         placement_.pose = state_.pose;
         placement_.production = production_of(place);
@@ -108,6 +114,16 @@ class Turtle {
     [[noreturn]] static void fail(const CompiledModule& module, const std::string& expected, double found) {
         throw InputError(module.source->place,
                          expected + " in " + module.source->symbol + "(..), found " + to_text(number_expression(found)));
+    }
+
+    /// Red, green and blue, brought to the nearest that there is; nothing if there are no numbers.
+    static std::optional<Color> color_of(std::span<const double> arguments) {
+        if (arguments.empty()) return std::nullopt;
+        const auto channel = [](double value) {
+            constexpr double brightest = 255;
+            return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, brightest)));
+        };
+        return Color{channel(arguments[0]), channel(arguments[1]), channel(arguments[2])};
     }
 
     static Complex turn_by(double degrees) { return {cosine_of_degrees(degrees), sine_of_degrees(degrees)}; }
@@ -153,7 +169,7 @@ class Turtle {
 
 template <class Visit>
 void walk(const Grammar& grammar, const InterpretOptions& options, const Progress& progress, Visit visit) {
-    const CompiledGrammar compiled = compile(grammar);
+    const CompiledGrammar compiled = compile(grammar, options.derive.seed);
     Turtle<Visit> turtle(compiled, options, visit);
     stream_modules(compiled, options.derive, progress, options.addresses || options.trails, turtle);
 }
@@ -163,7 +179,8 @@ void walk(const Grammar& grammar, const InterpretOptions& options, const Progres
 std::vector<Placement> interpret(const Grammar& grammar, const InterpretOptions& options, const Progress& progress) {
     std::vector<Placement> placements;
     walk(grammar, options, progress, [&](Placement& placement) { placements.push_back(std::move(placement)); });
-    if (!std::ranges::is_sorted(placements, {}, &Placement::layer)) std::ranges::stable_sort(placements, {}, &Placement::layer);
+    if (!std::ranges::is_sorted(placements, {}, &Placement::layer))
+        std::ranges::stable_sort(placements, {}, &Placement::layer);
     return placements;
 }
 

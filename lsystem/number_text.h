@@ -8,6 +8,7 @@ namespace rinceau {
 
 /// Shortest text that reads back as the same number; zero has no sign.
 std::string number_text(double value);
+void append_number(std::string& text, double value);
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool starts_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }

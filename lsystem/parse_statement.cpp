@@ -18,6 +18,8 @@ namespace rinceau {
 
 namespace {
 
+constexpr std::size_t longest_found = 40;  // enough to recognise it
+
 /// Every name in front of "->".
 void add_names(std::string_view text, std::set<std::string>& names) {
     text = text.substr(0, text.find("->"));
@@ -37,10 +39,10 @@ void keep_comment(const Statement& statement, Grammar& grammar) {
 
 /// False, and a mistake, if it stood before.
 bool once(Scanner& scanner, ParseState& state, const std::string& what, const SourcePlace& place) {
-    const auto [first, added] = state.lines.try_emplace(what, place.line);
+    const auto [first, added] = state.first_places.try_emplace(what, place);
     if (added) return true;
     scanner.keep(InputError(place, "expected '" + what + "' once, found it again (the first is in line " +
-                                       std::to_string(first->second) + "): take one of them away"));
+                                       std::to_string(first->second.line) + "): take one of them away"));
     return false;
 }
 
@@ -137,13 +139,21 @@ void parse_numbered_style(Scanner& scanner, ParseState& state) {
         state.grammar.styles.push_back(std::move(style));
 }
 
+/// The beginning of a text, as far as it says what it is.
+std::string shown(std::string_view text) {
+    if (text.empty()) return "its end";
+    return '\'' + std::string(text.substr(0, std::min(text.find_first_of(" \t\r\n", 1), longest_found))) + '\'';
+}
+
 std::vector<Path> parse_outline(Scanner& scanner) {
     std::size_t start = 0;
     const std::string_view data = scanner.raw_quoted(start);
     ParsedPath parsed = parse_path_data(data);
     if (parsed.faulty) {
-        throw InputError(scanner.place_at(start + std::min(parsed.fault_at, data.size())),
-                         "expected " + parsed.fault + " in path data");
+        const std::size_t at = std::min(parsed.fault_at, data.size());
+        const std::string expected =
+            parsed.fault.starts_with("expected") ? parsed.fault : "expected numbers up to 1e15 in size";
+        throw InputError(scanner.place_at(start + at), expected + " in path data, found " + shown(data.substr(at)));
     }
     return transformed(parsed.paths, Affine{1, 0, 0, -1, 0, 0});
 }
@@ -249,8 +259,6 @@ struct StatementKind {
     std::string_view word;
     void (*parse)(Scanner&, ParseState&);
 };
-
-constexpr std::size_t longest_found = 40;  // enough to recognise it
 
 constexpr std::array kinds{
     StatementKind{"lsystem", parse_version},

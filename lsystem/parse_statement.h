@@ -17,10 +17,10 @@ namespace rinceau {
 struct ParseState {
     Grammar grammar;
     bool versioned = false;
-    std::map<std::string, int> lines;  ///< of what may stand only once: "title", "terminal A", ..
-    std::vector<Warning> mistakes;     ///< as they were found, at most max_mistakes
-    std::set<std::string> spoilt;      ///< names in statements that could not be read
-    std::set<std::string> unsure;      ///< symbols of productions that were read in part
+    std::map<std::string, SourcePlace> first_places;  ///< of what may stand only once: "title", "terminal A", ..
+    std::vector<Warning> mistakes;                    ///< as they were found, at most max_mistakes
+    std::set<std::string> spoilt;                     ///< names in statements that could not be read
+    std::set<std::string> unsure;                     ///< symbols of productions that were read in part
 };
 
 /// Words that begin statements and therefore cannot be symbols.

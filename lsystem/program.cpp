@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lsystem/expression_functions.h"
+#include "lsystem/number_text.h"
 
 namespace rinceau {
 
@@ -89,11 +90,8 @@ Instruction compile_node(const Expression::Node& node, const Scope& scope, const
             if (function == nullptr || node.arguments < function->at_least || node.arguments > function->at_most) {
                 throw InputError(place, "expected a known function with its number of arguments, found '" + node.name + "'");
             }
-            if (function->evaluate == nullptr) {
-                throw InputError(place,
-                                 "expected a function without chance, found '" + node.name + "', which cannot be drawn");
-            }
-            return {Instruction::Op::call, Op::call, node.arguments, 0, function->evaluate};
+            const bool random = function->evaluate == nullptr;
+            return {random ? Instruction::Op::draw : Instruction::Op::call, Op::call, node.arguments, 0, function->evaluate};
         }
         default:
             return {Instruction::Op::binary, node.op};
@@ -108,6 +106,8 @@ int operand_count(const Instruction& instruction) {
             return 2;
         case Instruction::Op::call:
             return instruction.slot;
+        case Instruction::Op::draw:
+            return 2;
         default:
             return 0;
     }
@@ -115,6 +115,7 @@ int operand_count(const Instruction& instruction) {
 
 /// If all operands of the last instruction are constants, its value takes their place.
 void fold(Program& program) {
+    if (program.code.back().op == Instruction::Op::draw) return;
     const auto operands = static_cast<std::size_t>(operand_count(program.code.back()));
     if (operands == 0) return;
     const auto first = program.code.end() - static_cast<std::ptrdiff_t>(operands) - 1;
@@ -122,11 +123,27 @@ void fold(Program& program) {
         return instruction.op == Instruction::Op::number;
     });
     if (!constant) return;
-    Program part{{first, program.code.end()}};
+    const Program part{.code = {first, program.code.end()}};
     std::vector<double> stack(operands + 1);
     const double value = evaluate(part, nullptr, stack.data());
     program.code.erase(first, program.code.end());
     program.code.push_back({Instruction::Op::number, Op::number, 0, value});
+}
+
+void add_draw(Program& program, Instruction& instruction, const Expression::Node& node, const SourcePlace& place) {
+    instruction.slot = static_cast<int>(program.draws.size());
+    const bool normal = node.name == "normal";
+    program.draws.push_back({normal ? Draw::Distribution::normal : Draw::Distribution::uniform, 0, place});
+}
+
+double drawn(const Draw& draw, double a, double b, DrawKey place) {
+    const DrawKey key = key_below(place, draw.salt);
+    if (draw.distribution == Draw::Distribution::uniform) return a + (b - a) * uniform_draw(key);
+    if (b < 0) {
+        throw InputError(draw.place,
+                         "expected a deviation that is not below 0 in normal(mean, deviation), found " + number_text(b));
+    }
+    return a + b * normal_draw(key);
 }
 
 }  // namespace
@@ -135,10 +152,11 @@ Program compile_expression(const Expression& expression, const Scope& scope, con
     Program program;
     int height = 0;
     for (const Expression::Node& node : expression.postfix) {
-        const Instruction instruction = compile_node(node, scope, place);
+        Instruction instruction = compile_node(node, scope, place);
         height += 1 - operand_count(instruction);
         if (height < 1) break;
         program.stack_size = std::max(program.stack_size, height);
+        if (instruction.op == Instruction::Op::draw) add_draw(program, instruction, node, place);
         program.code.push_back(instruction);
         fold(program);
     }
@@ -146,7 +164,11 @@ Program compile_expression(const Expression& expression, const Scope& scope, con
     return program;
 }
 
-double evaluate(const Program& program, const double* slots, double* stack) {
+void salt_draws(Program& program, std::uint64_t salt) {
+    for (std::size_t i = 0; i < program.draws.size(); ++i) program.draws[i].salt = key_below(salt, i);
+}
+
+double evaluate(const Program& program, const double* slots, double* stack, DrawKey key) {
     double* top = stack;  // one past the uppermost number
     for (const Instruction& instruction : program.code) {
         switch (instruction.op) {
@@ -167,6 +189,10 @@ double evaluate(const Program& program, const double* slots, double* stack) {
                 top -= instruction.slot;
                 *top = instruction.function({top, static_cast<std::size_t>(instruction.slot)});
                 ++top;
+                break;
+            case Instruction::Op::draw:
+                --top;
+                top[-1] = drawn(program.draws[static_cast<std::size_t>(instruction.slot)], top[-1], *top, key);
                 break;
         }
     }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lsystem/draw_key.h"
 #include "lsystem/expression.h"
 
 namespace rinceau {
@@ -17,18 +18,27 @@ struct Scope {
 };
 
 struct Instruction {
-    enum class Op : unsigned char { number, slot, unary, binary, call };
+    enum class Op : unsigned char { number, slot, unary, binary, call, draw };
     Op op = Op::number;
     Expression::Op operation = Expression::Op::number;  ///< of unary and binary
-    int slot = 0;                                       ///< Op::slot; number of arguments of Op::call
+    int slot = 0;                                       ///< Op::slot; number of arguments of Op::call; index of Op::draw
     double number = 0;
     double (*function)(std::span<const double>) = nullptr;
+};
+
+/// A random number that an expression draws, from two arguments.
+struct Draw {
+    enum class Distribution : unsigned char { uniform, normal };
+    Distribution distribution = Distribution::uniform;
+    std::uint64_t salt = 0;  ///< the step below the key of the place where it is drawn
+    SourcePlace place;
 };
 
 /// Postfix. A program of one Op::number is a constant.
 struct Program {
     std::vector<Instruction> code;
     int stack_size = 0;  ///< numbers that an evaluation holds at most at a time
+    std::vector<Draw> draws;
 };
 
 /// Throws InputError at `place` for a name that is not in the scope.
@@ -38,7 +48,11 @@ constexpr bool is_constant(const Program& program) {
     return program.code.size() == 1 && program.code.front().op == Instruction::Op::number;
 }
 
-/// `stack` has room for stack_size numbers. The result may be infinite or not a number.
-double evaluate(const Program& program, const double* slots, double* stack);
+/// Gives the draws of a program salts of their own below `salt`, by their order in the expression.
+void salt_draws(Program& program, std::uint64_t salt);
+
+/// `stack` has room for stack_size numbers; draws are made below `key`. The result may be infinite or not a number.
+/// Throws InputError for a normal distribution with a negative deviation.
+double evaluate(const Program& program, const double* slots, double* stack, DrawKey key = 0);
 
 }  // namespace rinceau

@@ -38,9 +38,14 @@ void DerivationLimits::throw_too_large() const {
 }
 
 void DerivationLimits::throw_too_deep(int production) const {
-    throw_at(production, options_.depth < 0 ? "the limit is " + grouped(static_cast<std::uint64_t>(options_.max_recursion)) +
-                                                  " steps one inside the other"
-                                            : "the limit is " + grouped(max_open) + " productions one inside the other");
+    const bool step = grammar_.productions[static_cast<std::size_t>(production)].kind == ProductionKind::rewriting;
+    const auto recursion = static_cast<std::uint64_t>(options_.max_recursion);
+    if (step && options_.depth >= 0) {
+        throw_at(production, "the limit is " + grouped(max_open) + " productions one inside the other");
+    }
+    throw_at(production,
+             "the limit is " + grouped(recursion) +
+                 (step ? " steps one inside the other" : " decompositions or homomorphisms one inside the other"));
 }
 
 void DerivationLimits::throw_at(int production, const std::string& what) const {

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "lsystem/compile.h"
 #include "lsystem/derive.h"
 #include "lsystem/interpret.h"
+#include "lsystem/number_text.h"
 
 namespace rinceau {
 
@@ -32,10 +34,11 @@ class DerivationLimits {
     void count_module() {
         if (++work_ > options_.max_modules) throw_too_large();
     }
-    void count_application(int production, int generation, std::size_t open) {
+    /// `generation`: steps of rewriting down to it; `between`: productions that took no step on the way.
+    void count_application(int production, int generation, int between, std::size_t open) {
         ++applied_[static_cast<std::size_t>(production)];
         count_module();
-        if (generation > deepest_ || open > max_open) throw_too_deep(production);
+        if (generation > deepest_ || between > options_.max_recursion || open > max_open) throw_too_deep(production);
     }
     /// Called now and then.
     void check_time() const;
@@ -58,14 +61,16 @@ class DerivationLimits {
     int most_applied() const;
 };
 
-/// Sink: void command(const CompiledModule&, double argument);
+/// Sink: void command(const CompiledModule&, std::span<const double> arguments);
 ///       void leaf(const CompiledModule&, std::span<const double> arguments, const StreamPlace&);
 ///       void exception(int index), called when an exception takes the place of a module.
 ///       If it has them: void opened(const CompiledModule&, std::span<const double> arguments, int generation), called when
 ///       a module is replaced by what a production or an exception makes of it (an exception: without arguments), with the
 ///       steps that its modules have taken, and void closed() when all of that has been passed.
+/// A sink with a member draws_nothing gets the derived string: homomorphisms do not apply.
 /// tracked: addresses and trails are kept and exceptions apply. A grammar with exceptions needs it.
-template <class Sink, bool tracked>
+/// keyed: modules have keys to draw by. A grammar that draws anything needs it.
+template <class Sink, bool tracked, bool keyed>
 class ModuleStream {
   public:
     ModuleStream(const CompiledGrammar& grammar, const DeriveOptions& options, const Progress& progress, Sink& sink)
@@ -76,7 +81,8 @@ class ModuleStream {
           scratch_(static_cast<std::size_t>(grammar.stack_size)) {}
 
     void run() {
-        open(grammar_.axiom, axiom_occurrence, no_symbol, 0);
+        open(grammar_.axiom, axiom_occurrence, no_symbol);
+        set_key(frames_.back(), grammar_.root);
         for (std::uint32_t step = 1; !frames_.empty(); ++step) {
             if (step % steps_between_looks == 0) look_around();
             Frame& frame = frames_.back();
@@ -99,24 +105,51 @@ class ModuleStream {
     static constexpr Symbol no_symbol = -1;
     static constexpr std::uint32_t steps_between_looks = 1U << 16U;
 
+    struct NoKey {};
     /// A string that is being passed: the axiom, a production's or an exception's successor.
     struct Frame {
         const CompiledModule* next;
         const CompiledModule* end;
         std::size_t values;  ///< where the parameters begin
         int occurrence;      ///< Occurrence::production of its modules
-        int generation;
-        Symbol own;  ///< modules of this symbol continue the level
+        Symbol own;          ///< modules of this symbol continue the level
+        int generation = 0;
+        int between = 0;       ///< productions on the way that took no step
+        bool drawing = false;  ///< what a homomorphism made: only homomorphisms apply to it
         bool opens_level = false;
         bool opens_trail = false;
         int fixed_number = 0;  ///< > 0: the one module of an exception stands at the address of the module it replaces
         int fixed_node = ExceptionTree::none;
+        [[no_unique_address]] std::conditional_t<keyed, DrawKey, NoKey> key{};  ///< of the module whose place it takes
     };
+    /// A symbol on its way: where it stands and what it draws by.
+    struct Standing {
+        bool continues = false;  ///< the level of the production whose own symbol it is
+        int number = 0;          ///< of its address, 0 = none
+        int node = ExceptionTree::none;
+        DrawKey key = 0;
+    };
+    static constexpr bool draws = !requires { Sink::draws_nothing; };
     /// Modules counted below one address.
     struct Level {
         int count = 0;
         int node = ExceptionTree::none;
     };
+
+    static void set_key(Frame& frame, DrawKey key) {
+        if constexpr (keyed) frame.key = key;
+    }
+    static DrawKey key_of(const Frame& frame) {
+        if constexpr (keyed) return frame.key;
+        return 0;
+    }
+    /// An exception with a single symbol hands on the key as it hands on the address.
+    static DrawKey key_of(const Frame& frame, const CompiledModule& module) {
+        if constexpr (keyed) {
+            return frame.fixed_number > 0 ? frame.key : key_below(frame.key, static_cast<std::uint64_t>(module.number));
+        }
+        return 0;
+    }
 
     const CompiledGrammar& grammar_;
     DerivationLimits limits_;
@@ -154,8 +187,8 @@ class ModuleStream {
                                      : &grammar_.axiom;
     }
 
-    Frame& open(const CompiledString& string, int occurrence, Symbol own, int generation) {
-        frames_.push_back({string.data(), string.data() + string.size(), values_.size(), occurrence, generation, own});
+    Frame& open(const CompiledString& string, int occurrence, Symbol own) {
+        frames_.push_back({string.data(), string.data() + string.size(), values_.size(), occurrence, own});
         return frames_.back();
     }
 
@@ -181,7 +214,7 @@ class ModuleStream {
         }
         arguments_.clear();
         for (const Program& argument : module.arguments) {
-            const double value = evaluate(argument, values_.data() + frame.values, scratch_.data());
+            const double value = evaluate(argument, values_.data() + frame.values, scratch_.data(), key_of(frame));
             if (!std::isfinite(value)) throw_not_finite(module);
             arguments_.push_back(value);
         }
@@ -194,45 +227,67 @@ class ModuleStream {
 
     void pass_command(const Frame& frame, const CompiledModule& module) {
         limits_.count_module();
-        const std::span<const double> arguments = arguments_of(frame, module);
-        sink_.command(module, arguments.empty() ? 0 : arguments.front());
+        sink_.command(module, arguments_of(frame, module));
     }
 
     void pass_symbol(Frame& frame, const CompiledModule& module) {
-        int number = 0;
-        int node = ExceptionTree::none;
-        const bool continues = module.symbol == frame.own;
+        Standing standing{module.symbol == frame.own};
+        if constexpr (keyed) standing.key = key_of(frame, module);
         if constexpr (tracked) {
-            if (!continues && count_and_except(frame, module, number, node)) return;
+            if (!standing.continues && count_and_except(frame, module, standing)) return;
         }
         const std::span<const double> arguments = arguments_of(frame, module);
-        const int production = frame.generation < limits_.depth() ? production_for(module, arguments) : -1;
+        const ProductionsOfSymbol& productions = grammar_.productions_of[static_cast<std::size_t>(module.symbol)];
+        const int production = frame.drawing ? fitting(productions.homomorphism, arguments, standing.key)
+                                             : rewriting(frame, productions, arguments, standing.key);
         if (production >= 0) {
-            expand(frame, module, production, arguments, continues, number, node);
-            return;
+            expand(frame, module, production, arguments, standing);
+        } else {
+            pass_rest(frame, module, arguments, standing);
         }
+    }
+
+    int rewriting(const Frame& frame, const ProductionsOfSymbol& productions, std::span<const double> arguments,
+                  DrawKey key) {
+        const int production = fitting(productions.decomposition, arguments, key);
+        if (production >= 0 || frame.generation >= limits_.depth()) return production;
+        return fitting(productions.rewriting, arguments, key);
+    }
+
+    /// A symbol that is not rewritten.
+    void pass_rest(Frame& frame, const CompiledModule& module, std::span<const double> arguments, Standing& standing) {
         if constexpr (tracked) {
-            const bool drawn = grammar_.terminal_of[static_cast<std::size_t>(module.symbol)] >= 0;
-            if (continues && drawn && count_and_except(frame, module, number, node)) return;
+            const bool counted = frame.drawing ? grammar_.terminal_of[static_cast<std::size_t>(module.symbol)] >= 0
+                                               : grammar_.is_drawn(module.symbol);
+            if (standing.continues && counted && count_and_except(frame, module, standing)) return;
+        }
+        if constexpr (draws) {
+            const ProductionsOfSymbol& productions = grammar_.productions_of[static_cast<std::size_t>(module.symbol)];
+            const int production = frame.drawing ? -1 : fitting(productions.homomorphism, arguments, standing.key);
+            if (production >= 0) {
+                standing.continues = false;
+                expand(frame, module, production, arguments, standing);
+                return;
+            }
         }
         limits_.count_module();
-        sink_.leaf(module, arguments, {{frame.occurrence, module.position}, address_, number, trail_});
+        sink_.leaf(module, arguments, {{frame.occurrence, module.position}, address_, standing.number, trail_});
     }
 
     /// Gives the module its number; true if an exception takes its place.
-    bool count_and_except(Frame& frame, const CompiledModule& module, int& number, int& node) {
+    bool count_and_except(Frame& frame, const CompiledModule& module, Standing& standing) {
         if (frame.fixed_number > 0) {
-            number = frame.fixed_number;
-            node = frame.fixed_node;
+            standing.number = frame.fixed_number;
+            standing.node = frame.fixed_node;
             return false;
         }
         Level& level = levels_.back();
-        number = ++level.count;
-        node = grammar_.exception_tree.child(level.node, number);
-        const int exception = grammar_.exception_tree.exception_at(node);
+        standing.number = ++level.count;
+        standing.node = grammar_.exception_tree.child(level.node, standing.number);
+        const int exception = grammar_.exception_tree.exception_at(standing.node);
         if (exception == ExceptionTree::none) return false;
         sink_.exception(exception);
-        open_exception(frame, module, grammar_.exceptions[static_cast<std::size_t>(exception)], number, node);
+        open_exception(frame, module, grammar_.exceptions[static_cast<std::size_t>(exception)], standing);
         return true;
     }
 
@@ -240,54 +295,109 @@ class ModuleStream {
         if constexpr (requires { sink_.opened(module, arguments, generation); }) sink_.opened(module, arguments, generation);
     }
 
-    void open_exception(const Frame& at, const CompiledModule& module, const CompiledString& successor, int number,
-                        int node) {
+    void open_exception(const Frame& at, const CompiledModule& module, const CompiledString& successor,
+                        const Standing& standing) {
         tell_opened(module, {}, at.generation);
         int symbols = 0;
         for (const CompiledModule& part : successor) symbols += part.symbol >= command_count;
         trail_.push_back({at.occurrence, module.position});
-        Frame& frame = open(successor, exception_occurrence, no_symbol, at.generation);
+        const Frame before = at;  // opening one may move the others
+        Frame& frame = open(successor, exception_occurrence, no_symbol);
+        frame.generation = before.generation;
+        frame.between = before.between;
+        frame.drawing = before.drawing;
+        set_key(frame, standing.key);
         frame.opens_trail = true;
         if (symbols == 1) {
-            frame.fixed_number = number;
-            frame.fixed_node = node;
+            frame.fixed_number = standing.number;
+            frame.fixed_node = standing.node;
         } else {
             frame.opens_level = true;
-            address_.push_back(number);
-            levels_.push_back({0, node});
+            address_.push_back(standing.number);
+            levels_.push_back({0, standing.node});
         }
     }
 
-    int production_for(const CompiledModule& module, std::span<const double> arguments) {
-        for (const int index : grammar_.productions_of[static_cast<std::size_t>(module.symbol)]) {
+    bool fits(const CompiledProduction& production, int index, std::span<const double> arguments, DrawKey key) {
+        if (production.parameters != static_cast<int>(arguments.size())) return false;
+        if (!production.conditional) return true;
+        const double holds = evaluate(production.condition, arguments.data(), scratch_.data(), key);
+        if (std::isnan(holds)) throw_undefined(index);
+        return holds != 0;
+    }
+
+    /// Of the productions the one that is applied to a module, or -1.
+    int fitting(const std::vector<int>& productions, std::span<const double> arguments, DrawKey key) {
+        for (std::size_t i = 0; i < productions.size(); ++i) {
+            const int index = productions[i];
             const CompiledProduction& production = grammar_.productions[static_cast<std::size_t>(index)];
-            if (production.parameters != static_cast<int>(arguments.size())) continue;
-            if (!production.conditional) return index;
-            const double holds = evaluate(production.condition, arguments.data(), scratch_.data());
-            if (std::isnan(holds)) throw_undefined(index);
-            if (holds != 0) return index;
+            if (!fits(production, index, arguments, key)) continue;
+            if constexpr (keyed) {
+                if (production.weighted) return drawn_by_weight(std::span(productions).subspan(i), arguments, key);
+            }
+            return index;
         }
         return -1;
     }
+
+    /// Of productions, the first of which has a weight and fits: each that does so waits for an exponential time with its
+    /// weight as the rate, and the first to come is applied. So each wins in proportion to its weight, and a change of one
+    /// weight changes no choice between two others.
+    int drawn_by_weight(std::span<const int> productions, std::span<const double> arguments, DrawKey key) {
+        int winner = -1;
+        double earliest = std::numeric_limits<double>::infinity();
+        for (const int index : productions) {
+            const CompiledProduction& production = grammar_.productions[static_cast<std::size_t>(index)];
+            if (!production.weighted || !fits(production, index, arguments, key)) continue;
+            const double weight = evaluate(production.weight, arguments.data(), scratch_.data(), key);
+            if (!(weight >= 0) || std::isinf(weight)) throw_bad_weight(index, weight);
+            if (weight == 0) continue;
+            const double time = exponential_draw(key_below(key, production.salt)) / weight;
+            if (winner >= 0 && time >= earliest) continue;
+            winner = index;
+            earliest = time;
+        }
+        if (winner < 0) throw_no_weight(productions.front());
+        return winner;
+    }
+    const Production& source_of(int production) const {
+        return grammar_.grammar->productions[static_cast<std::size_t>(production)];
+    }
+    [[noreturn]] void throw_bad_weight(int production, double weight) const {
+        throw InputError(source_of(production).place,
+                         "expected a weight of " + source_of(production).symbol + " that is finite and not below 0, found " +
+                             (std::isfinite(weight) ? number_text(weight) : "0/0 or an overflow"));
+    }
+    [[noreturn]] void throw_no_weight(int production) const {
+        throw InputError(source_of(production).place, "expected a weight above 0 among the productions of " +
+                                                          source_of(production).symbol +
+                                                          " that apply, found only weights of 0");
+    }
     [[noreturn]] void throw_undefined(int production) const {
-        const Production& source = grammar_.grammar->productions[static_cast<std::size_t>(production)];
+        const Production& source = source_of(production);
         throw InputError(source.place, "expected a condition of " + source.symbol + " with a value, found 0/0 or the like");
     }
 
     void expand(const Frame& at, const CompiledModule& module, int production, std::span<const double> arguments,
-                bool continues, int number, int node) {
-        const int generation = at.generation + 1;
-        const int occurrence = at.occurrence;
-        limits_.count_application(production, generation, frames_.size());
-        tell_opened(module, arguments, generation);
+                const Standing& standing) {
         const CompiledProduction& applied = grammar_.productions[static_cast<std::size_t>(production)];
-        Frame& frame = open(applied.successor, production, applied.symbol, generation);
+        const bool step = applied.kind == ProductionKind::rewriting;
+        const int generation = at.generation + (step ? 1 : 0);
+        const int between = at.between + (step ? 0 : 1);
+        const int occurrence = at.occurrence;
+        limits_.count_application(production, generation, between, frames_.size());
+        tell_opened(module, arguments, generation);
+        Frame& frame = open(applied.successor, production, applied.symbol);
+        frame.generation = generation;
+        frame.between = between;
+        frame.drawing = applied.kind == ProductionKind::homomorphism;
+        set_key(frame, standing.key);
         values_.insert(values_.end(), arguments.begin(), arguments.end());
         if constexpr (tracked) {
-            if (continues) return;
+            if (standing.continues) return;
             frame.opens_level = frame.opens_trail = true;
-            address_.push_back(number);
-            levels_.push_back({0, node});
+            address_.push_back(standing.number);
+            levels_.push_back({0, standing.node});
             trail_.push_back({occurrence, module.position});
         }
     }
@@ -297,10 +407,14 @@ class ModuleStream {
 template <class Sink>
 void stream_modules(const CompiledGrammar& grammar, const DeriveOptions& options, const Progress& progress, bool track,
                     Sink& sink) {
-    if (track || !grammar.exception_tree.empty()) {
-        ModuleStream<Sink, true>(grammar, options, progress, sink).run();
+    const bool tracked = track || !grammar.exception_tree.empty();
+    const auto run = [&]<bool is_tracked, bool is_keyed>() {
+        ModuleStream<Sink, is_tracked, is_keyed>(grammar, options, progress, sink).run();
+    };
+    if (grammar.random) {
+        tracked ? run.template operator()<true, true>() : run.template operator()<false, true>();
     } else {
-        ModuleStream<Sink, false>(grammar, options, progress, sink).run();
+        tracked ? run.template operator()<true, false>() : run.template operator()<false, false>();
     }
 }
 

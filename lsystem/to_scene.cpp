@@ -34,7 +34,8 @@ Element placed_element(const Grammar& grammar, const StyleTable& styles, const P
         return element;
     }
     element.paths = transformed(terminal.paths, placement.pose);
-    element.style = transformed(styles.style(drawn_style_number(grammar, placement)), placement.pose);
+    const Style& style = styles.style(drawn_style_number(grammar, placement));
+    element.style = transformed(repainted(style, placement.repaint), placement.pose);
     element.style.stroke.fixed = false;
     return element;
 }

@@ -12,7 +12,7 @@ namespace {
 /// Which expansions an exception lies in. Expansions are numbered in order of derivation.
 class ExpansionMarker {
   public:
-    void command(const CompiledModule&, double) {}
+    void command(const CompiledModule&, std::span<const double>) {}
     void leaf(const CompiledModule&, std::span<const double>, const StreamPlace&) {}
     /// The exception's own successor is opened next: it is an expansion that stands in the axiom, too.
     void exception(int) {
@@ -64,13 +64,8 @@ class AxiomWriter {
     AxiomWriter(const std::vector<bool>& marked, const std::set<std::string>& counted, int depth)
         : marked_(marked), counted_(counted), depth_(depth) {}
 
-    void command(const CompiledModule& module, double argument) {
-        if (hidden_ > 0) return;
-        if (module.argument_count > 0) {
-            append(module, std::span(&argument, 1));
-        } else {
-            append(module, {});
-        }
+    void command(const CompiledModule& module, std::span<const double> arguments) {
+        if (hidden_ == 0) append(module, arguments);
     }
     void leaf(const CompiledModule& module, std::span<const double> arguments, const StreamPlace&) {
         if (hidden_ == 0) append(module, arguments);

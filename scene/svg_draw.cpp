@@ -181,9 +181,6 @@ RootSize root_size(const SvgReader& reader, const SvgContext& root, const std::o
     return {width.value_or(all_width), height.value_or(all_height), width || height};
 }
 
-// Smaller than this share of the picture's diagonal, a difference does not show.
-constexpr double invisible_share = 5e-5;
-
 Box box_of_all(const Scene& scene) {
     Box box;
     for (const Element& element : scene.elements) box = including(box, painted_box(element));
@@ -217,7 +214,7 @@ void draw_node(SvgReader& reader, const SvgContext& parent, const SvgNode& node)
         ++reader.blended;
 }
 
-void draw_root(SvgReader& reader) {
+std::optional<SvgContext> enter_root(SvgReader& reader) {
     const SvgNode& root = reader.tree.root();
     SvgContext page;
     page.depth = 0;
@@ -238,18 +235,29 @@ void draw_root(SvgReader& reader) {
         AspectRatio aspect;
         if (const std::string_view* text = find_attribute(root, "preserveAspectRatio"))
             aspect = parse_aspect_ratio(*text).value_or(aspect);
-        if (!(box->width > 0) || !(box->height > 0)) return;
+        if (!(box->width > 0) || !(box->height > 0)) return std::nullopt;
         context.map = context.map * view_box_map(*box, aspect, size.width, size.height);
         units.width = box->width;
         units.height = box->height;
     }
     reader.root_units = units;
-    if (!context.style.displayed) return;
-    const SvgOpening opening(reader, root);
+    return context.style.displayed ? std::optional(context) : std::nullopt;
+}
+
+void draw_root(SvgReader& reader) {
+    const std::optional<SvgContext> context = enter_root(reader);
+    if (!context) return;
+    const SvgOpening opening(reader, reader.tree.root());
     const SvgMark mark = mark_of(reader);
-    draw_children(reader, context);
-    finish_effects(reader, context, mark);
+    draw_children(reader, *context);
+    finish_effects(reader, *context, mark);
     if (!reader.scene.sized) reader.scene.viewport = box_of_all(reader.scene);
+}
+
+bool is_drawn_kind(const SvgNode& node) { return is_svg(node) && kind_of(node) < NodeKind::silent; }
+
+bool is_undrawn_content(const SvgNode& node) {
+    return is_svg(node) && (kind_of(node) == NodeKind::flow_text || kind_of(node) == NodeKind::unknown);
 }
 
 }  // namespace rinceau

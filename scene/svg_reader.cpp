@@ -175,4 +175,48 @@ void add_element(SvgReader& reader, Element element, const SvgNode& node) {
     reader.scene.elements.push_back(std::move(element));
 }
 
+namespace {
+
+CssTree css_tree() {
+    const auto node = [](CssNode css) { return static_cast<const SvgNode*>(css); };
+    return {.name = [node](CssNode css) { return node(css)->name; },
+            .attribute = [node](CssNode css, std::string_view name) -> std::optional<std::string_view> {
+                const std::string_view* value = find_attribute(*node(css), name);
+                return value == nullptr ? std::nullopt : std::optional(*value);
+            },
+            .parent = [node](CssNode css) -> CssNode { return node(css)->parent; },
+            .previous = [node](CssNode css) -> CssNode { return node(css)->previous_element; },
+            .next = [node](CssNode css) -> CssNode { return node(css)->next_element; },
+            .position = [node](CssNode css) { return node(css)->position; }};
+}
+
+bool is_style_sheet(const SvgNode& node) {
+    if (!is_svg(node) || node.name != "style") return false;
+    const std::string_view* type = find_attribute(node, "type");
+    return type == nullptr || type->empty() || lower_case(trimmed(*type)) == "text/css";
+}
+
+void collect_sheets(const SvgNode& node, std::vector<std::string>& sheets) {
+    for (const SvgNode* child = node.first_child; child != nullptr; child = child->next) {
+        if (!is_style_sheet(*child)) {
+            collect_sheets(*child, sheets);
+            continue;
+        }
+        std::string& sheet = sheets.emplace_back();
+        for (const SvgNode* text = child->first_child; text != nullptr; text = text->next) sheet += text->text;
+    }
+}
+
+StyleSheet style_sheet_of(const SvgTree& tree) {
+    std::vector<std::string> sheets;
+    collect_sheets(tree.root(), sheets);
+    return parse_style_sheets(sheets);
+}
+
+}  // namespace
+
+SvgReader reader_of(const SvgTree& tree, const SvgReadOptions& options) {
+    return {.tree = tree, .options = options, .sheet = style_sheet_of(tree), .css = css_tree()};
+}
+
 }  // namespace rinceau

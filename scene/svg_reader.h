@@ -84,7 +84,8 @@ struct SvgReader {
     SvgWarningLog warnings;
 
     UnitContext root_units;          ///< inside the root element
-    double tolerance = 1e-3;         ///< px; smaller differences do not show
+    double tolerance = 1e-3;         ///< smaller differences do not show
+    double pixel = 1;                ///< a px of the outermost viewport in the unit of the scene
     std::size_t drawn = 0;           ///< elements drawn so far, those taken back again included
     std::size_t verbatim_bytes = 0;  ///< text of kept parts so far, those taken back again included
     std::size_t kept_parts = 0;      ///< numbers the ids in kept parts
@@ -94,6 +95,9 @@ struct SvgReader {
     std::unordered_map<const SvgNode*, std::shared_ptr<const SvgGradientDefinition>> gradients;
     std::unordered_map<const SvgNode*, SvgClipInPlace> clips;  ///< the last use of each
 };
+
+/// At the start of a walk over the tree, which must outlive it as the options must.
+SvgReader reader_of(const SvgTree& tree, const SvgReadOptions& options);
 
 /// SVG px (y down) to scene space (y up).
 constexpr Affine scene_from_svg{1, 0, 0, -1, 0, 0};

@@ -89,7 +89,7 @@ ShapeStyle scene_style(SvgReader& reader, const SvgContext& context, const std::
     style.fill_rule = given.fill_rule;
     if (style.fill_opacity <= 0 || std::ranges::none_of(outline, encloses_area)) style.fill = NoPaint{};
     const SvgPaint stroke = resolve_paint(reader, context, given.stroke, box);
-    style.stroke = stroke_under(given, scene_map(context));
+    style.stroke = stroke_under(given, scene_map(context), reader.pixel);
     style.stroke.opacity = given.stroke_opacity * stroke.opacity;
     const bool strokes = style.stroke.width > 0 && style.stroke.opacity > 0;
     if (strokes) style.stroke.paint = stroke.paint;
@@ -141,13 +141,13 @@ void draw_parts(SvgReader& reader, const SvgContext& context, const std::vector<
 
 }  // namespace
 
-Stroke stroke_under(const SvgStyle& style, const Affine& map) {
+Stroke stroke_under(const SvgStyle& style, const Affine& map, double pixel) {
     Stroke stroke;
     stroke.cap = style.cap;
     stroke.join = style.join;
     stroke.miter_limit = style.miter_limit;
     const bool fixed = style.non_scaling_stroke;
-    const double scale = fixed ? 1 : std::sqrt(std::abs(determinant(map)));
+    const double scale = fixed ? pixel : std::sqrt(std::abs(determinant(map)));
     stroke.width = style.stroke_width * scale;
     stroke.dashes = style.dashes;
     for (double& dash : stroke.dashes) dash *= scale;

@@ -25,6 +25,9 @@ struct SvgStyleText {
 };
 SvgStyleText svg_style_text(const Style& style, const std::string& id_prefix);
 
+/// "#ffcc00", or "#fc0" where that is the same.
+std::string svg_color_text(const Color& color);
+
 /// Width and dashes of a stroke, times `factor`, as presentation attributes; `digits` as in svg_path_data.
 std::string svg_stroke_lengths(const Stroke& stroke, double factor = 1, int digits = 0);
 

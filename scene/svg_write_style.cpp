@@ -9,20 +9,6 @@ namespace rinceau {
 
 namespace {
 
-std::string color_text(const Color& color) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    const std::array<std::uint8_t, 3> channels{color.red, color.green, color.blue};
-    // "#aabbcc" is "#abc".
-    bool is_short = true;
-    for (const std::uint8_t c : channels) is_short = is_short && c / 16 == c % 16;
-    std::string text = "#";
-    for (const std::uint8_t c : channels) {
-        text += digits[c / 16];
-        if (!is_short) text += digits[c % 16];
-    }
-    return text;
-}
-
 void add(std::string& text, std::string_view name, std::string_view value) {
     text += ' ';
     text += name;
@@ -40,7 +26,7 @@ std::string stops_text(const std::vector<GradientStop>& stops) {
     for (const GradientStop& stop : stops) {
         text += "<stop";
         add(text, "offset", svg_number(stop.offset));
-        add(text, "stop-color", color_text(stop.color));
+        add(text, "stop-color", svg_color_text(stop.color));
         add_unless(text, "stop-opacity", stop.opacity, 1);
         text += "/>";
     }
@@ -79,7 +65,7 @@ std::string gradient_text(const Gradient& gradient, const std::string& id) {
 // The attribute of a paint; a gradient's definition goes to `definitions`.
 void add_paint(SvgStyleText& text, const char* name, const Paint& paint, const std::string& gradient_id) {
     if (const auto* color = std::get_if<Color>(&paint)) {
-        add(text.attributes, name, color_text(*color));
+        add(text.attributes, name, svg_color_text(*color));
     } else if (const auto* gradient = std::get_if<std::shared_ptr<const Gradient>>(&paint)) {
         add(text.attributes, name, "url(#" + gradient_id + ")");
         text.definitions += gradient_text(**gradient, gradient_id);
@@ -101,6 +87,20 @@ void add_stroke(SvgStyleText& text, const Stroke& stroke, const std::string& gra
 }
 
 }  // namespace
+
+std::string svg_color_text(const Color& color) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const std::array<std::uint8_t, 3> channels{color.red, color.green, color.blue};
+    // "#aabbcc" is "#abc".
+    bool is_short = true;
+    for (const std::uint8_t c : channels) is_short = is_short && c / 16 == c % 16;
+    std::string text = "#";
+    for (const std::uint8_t c : channels) {
+        text += digits[c / 16];
+        if (!is_short) text += digits[c % 16];
+    }
+    return text;
+}
 
 std::string svg_stroke_lengths(const Stroke& stroke, double factor, int digits) {
     const auto length = [&](double value) { return svg_number(factor * value, digits); };

@@ -8,7 +8,7 @@
 using namespace rinceau::test;
 
 namespace {
-const std::vector<std::string> verbs = {"analyze", "render", "derive", "check", "normalize"};
+const std::vector<std::string> verbs = {"analyze", "render", "derive", "check", "set", "normalize"};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

@@ -132,6 +132,7 @@ ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramO
     const int status = wait_for(child, options.interrupt_after_ms, usage);
     ProgramRun run;
     run.seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    run.peak_kib = usage.ru_maxrss;
     if (WIFEXITED(status)) run.status = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
     if (options.output_to.empty()) run.out = read_file(streams.file("out"));

@@ -33,6 +33,7 @@ struct ProgramRun {
     int status = 0;      ///< exit status
     int signal = 0;      ///< that ended it, 0 = none
     double seconds = 0;  ///< of processor time, which does not depend on what else the machine does
+    long peak_kib = 0;   ///< largest resident memory, that of the test program at least
     std::string out;     ///< standard output
     std::string err;     ///< standard error
 };

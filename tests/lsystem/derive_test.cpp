@@ -181,3 +181,21 @@ TEST_CASE("progress rises and may cancel") {
     struct Cancelled {};
     CHECK_THROWS_AS(derive(grammar, {}, [](std::string_view, double) { throw Cancelled{}; }), Cancelled);
 }
+
+TEST_CASE("the text that is passed on piece by piece is that of the derived string") {
+    DeriveOptions options;
+    options.max_modules = 1'000'000;
+    for (const std::string body : {"axiom: A(1, -0.5) [ B ] +(30) ;(2)\nB ->\n", "axiom:\n", "axiom: A\nA ->\n",
+                                   "axiom: F(9)\nF(n) : n > 0 -> F(n-1) +(n/7) [ F(n-1) ] | F(n-1)\n"}) {
+        const Grammar grammar = grammar_of(body);
+        std::string text;
+        std::size_t pieces = 0;
+        derive_text(grammar, options, [&](std::string_view piece) {
+            text += piece;
+            ++pieces;
+        });
+        CHECK(text == to_text(derive(grammar, options)));
+        constexpr std::size_t smallest_piece = 1 << 15;
+        CHECK(pieces <= text.size() / smallest_piece + 1);
+    }
+}

@@ -1,0 +1,31 @@
+#include "cli/signals_held.h"
+
+#include <array>
+
+namespace rinceau {
+namespace {
+constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+}  // namespace
+
+SignalsHeld::SignalsHeld() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : ending) sigaddset(&held, signal);
+    pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+SignalsHeld::~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+bool SignalsHeld::waiting() const {
+    sigset_t pending;
+    sigpending(&pending);
+    for (const int signal : ending) {
+        if (sigismember(&pending, signal) != 1 || sigismember(&before_, signal) == 1) continue;
+        struct sigaction action {};
+        sigaction(signal, nullptr, &action);
+        if (action.sa_handler != SIG_IGN) return true;
+    }
+    return false;
+}
+
+}  // namespace rinceau

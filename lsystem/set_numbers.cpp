@@ -1,0 +1,231 @@
+#include "lsystem/set_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "lsystem/constant_values.h"
+#include "lsystem/keep_rings.h"
+#include "lsystem/number_slots.h"
+#include "lsystem/number_text.h"
+
+namespace rinceau {
+
+namespace {
+
+using How = NumberEdit::How;
+
+std::string trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return std::string(text);
+}
+
+std::size_t distance_of(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
+        }
+    }
+    return row.back();
+}
+
+[[noreturn]] void throw_unknown(const std::string& name, const std::vector<GrammarNumber>& numbers) {
+    constexpr std::size_t most_named = 4;
+    std::vector<std::pair<std::size_t, std::string>> near;
+    for (const GrammarNumber& number : numbers) {
+        if (number.rank == NumberRank::hidden && number.constant < 0) continue;
+        const bool part = number.name.find(name) != std::string::npos;
+        near.emplace_back(part ? 0 : distance_of(name, number.name), number.name);
+    }
+    std::ranges::stable_sort(near, {}, [](const auto& entry) { return entry.first; });
+    std::string names;
+    for (std::size_t i = 0; i < std::min(near.size(), most_named); ++i) names += (i > 0 ? ", " : "") + near[i].second;
+    throw InputError({}, "expected the name of a number, such as " + names + ", found '" + name +
+                             "': without NAME=VALUE, 'set' lists them all");
+}
+
+class NumberSetter {
+  public:
+    explicit NumberSetter(const Grammar& grammar) : grammar_(grammar) {}
+
+    void apply(const NumberEdit& edit) {
+        const std::vector<GrammarNumber> numbers = grammar_numbers(grammar_);
+        for (const GrammarNumber* target : targets_of(edit.name, numbers)) set(*target, edit);
+    }
+    Grammar grammar_;
+    std::vector<std::string> changes_;
+    std::vector<std::string> set_names_;
+    std::vector<NumberSlot> set_slots_;
+
+  private:
+    static std::vector<const GrammarNumber*> targets_of(const std::string& name, const std::vector<GrammarNumber>& numbers) {
+        std::vector<const GrammarNumber*> found;
+        const bool pattern = name.find('*') != std::string::npos;
+        for (const GrammarNumber& number : numbers) {
+            const bool other_way_to_say = number.rank == NumberRank::hidden && number.constant < 0;
+            if (pattern ? other_way_to_say || !fits_name(name, number.name) : number.name != name) continue;
+            const bool again = std::ranges::any_of(
+                found, [&](const GrammarNumber* other) { return other->slots.front() == number.slots.front(); });
+            if (number.parts.empty() && !again) found.push_back(&number);
+            for (const std::string& part : number.parts)
+                found.push_back(&*std::ranges::find(numbers, part, &GrammarNumber::name));
+        }
+        if (found.empty()) throw_unknown(name, numbers);
+        return found;
+    }
+
+    void set(const GrammarNumber& number, const NumberEdit& edit) {
+        const Scope constants = constants_of(grammar_);
+        const auto given = value_of(edit.value, constants);
+        const bool is_number = std::ranges::none_of(
+            edit.value.postfix, [](const Expression::Node& node) { return node.op == Expression::Op::name; });
+        const bool as_written =
+            edit.how == How::set && (!given || !is_number) && number.slots.front().in == NumberSlot::In::expression;
+        if (!as_written && !given)
+            throw InputError({}, "expected a value of " + number.name + " that is a number, found " + to_text(edit.value));
+        const double value = given ? combined(number.value, edit.how, *given) : number.value;
+        if (given) expect_in_range(number, value);
+        const Expression expression = as_written ? edit.value : number_expression(value);
+        for (const NumberSlot& slot : number.slots) {
+            if (slot.in == NumberSlot::In::expression) expect_no_cycle(slot.place, expression);
+            grammar_ = with_slot(std::move(grammar_), slot, expression);
+        }
+        say(number, as_written ? to_text(expression) : number_text(value));
+    }
+
+    static double combined(double old, How how, double given) {
+        switch (how) {
+            case How::add:
+                return rounded(old + given);
+            case How::subtract:
+                return rounded(old - given);
+            case How::multiply:
+                return rounded(old * given);
+            case How::divide:
+                return rounded(old / given);
+            default:
+                return rounded(given);
+        }
+    }
+
+    static void expect_in_range(const GrammarNumber& number, double value) {
+        const bool scale_is_zero = number.kind == NumberKind::scale && value <= 0;
+        const bool fits_kind = number.kind == NumberKind::angle || (value >= number.low && value <= number.high);
+        if (std::isfinite(value) && fits_kind && !scale_is_zero && (!number.whole || value == std::round(value))) return;
+        std::string range = number.whole ? "a whole number" : "a number";
+        if (number.kind == NumberKind::scale)
+            range += " above 0";
+        else if (std::isfinite(number.low) && number.kind != NumberKind::angle)
+            range += " from " + number_text(number.low) + " up";
+        if (std::isfinite(number.high) && number.kind != NumberKind::angle) range += " to " + number_text(number.high);
+        throw InputError(
+            {}, "expected " + range + " for " + number.name + " (" + number.help + "), found " + number_text(value));
+    }
+
+    /// A constant uses constants above it only.
+    void expect_no_cycle(const ExpressionPlace& place, const Expression& value) const {
+        if (place.in != ExpressionPlace::In::constant) return;
+        for (const Expression::Node& node : value.postfix) {
+            if (node.op != Expression::Op::name) continue;
+            for (std::size_t i = static_cast<std::size_t>(place.index); i < grammar_.constants.size(); ++i)
+                if (grammar_.constants[i].name == node.name)
+                    throw InputError({}, "expected constants above " +
+                                             grammar_.constants[static_cast<std::size_t>(place.index)].name +
+                                             " in its value, found " + node.name);
+        }
+    }
+
+    void say(const GrammarNumber& number, const std::string& value) {
+        std::string old = short_text(number.value);
+        if (!number.written.empty() && number.constant < 0) old = number.written + " (" + old + ")";
+        if (old == value) return;
+        std::string change = number.name + ' ' + old + " -> " + value;
+        if (number.constant >= 0) change += " (" + grammar_.constants[static_cast<std::size_t>(number.constant)].name + ")";
+        if (std::ranges::find(changes_, change) == changes_.end()) changes_.push_back(change);
+        set_names_.push_back(number.name);
+        set_slots_.insert(set_slots_.end(), number.slots.begin(), number.slots.end());
+    }
+};
+
+/// Numbers that have changed without being set: they are written by means of what was.
+void add_followers(const Grammar& before, const NumberSetter& setter, std::vector<std::string>& changes) {
+    constexpr std::size_t most_named = 6;
+    const std::vector<GrammarNumber> old = grammar_numbers(before);
+    std::vector<std::string> names;
+    for (const GrammarNumber& number : grammar_numbers(setter.grammar_)) {
+        if (!number.parts.empty() || (number.rank == NumberRank::hidden && number.constant < 0)) continue;
+        if (std::ranges::find(setter.set_names_, number.name) != setter.set_names_.end()) continue;
+        const auto same = std::ranges::find(old, number.name, &GrammarNumber::name);
+        if (same == old.end() || same->value == number.value) continue;
+        const bool written_there =
+            number.written.empty() && std::ranges::any_of(number.slots, [&](const NumberSlot& slot) {
+                return std::ranges::any_of(setter.set_slots_, [&](const NumberSlot& set) {
+                    return set.in == slot.in && set.index == slot.index && same_expression(set.place, slot.place);
+                });
+            });
+        if (written_there) continue;
+        // "axiom.Row.count" says no more than "Row.count"
+        const auto says_it = [&](const std::string& name) {
+            return number.name.ends_with('.' + name.substr(0, name.find(' ')));
+        };
+        if (std::ranges::any_of(names, says_it) || std::ranges::any_of(setter.set_names_, says_it)) continue;
+        names.push_back(number.name + ' ' + short_text(same->value) + " -> " + short_text(number.value));
+    }
+    if (names.empty()) return;
+    std::string text = "with it: ";
+    for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i) text += (i > 0 ? ", " : "") + names[i];
+    if (names.size() > most_named) text += " and " + std::to_string(names.size() - most_named) + " more";
+    changes.push_back(text);
+}
+
+}  // namespace
+
+NumberEdit parse_number_edit(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+        throw InputError({}, "expected NAME=VALUE, such as Row.count=12 or bay*=1.5, found '" + std::string(text) + "'");
+    NumberEdit edit;
+    std::string name = trimmed(text.substr(0, equals));
+    std::string value = trimmed(text.substr(equals + 1));
+    constexpr std::string_view operators = "+-*/";
+    const std::size_t op = operators.find(name.back());
+    // in "Row.*=3" the star belongs to the name
+    const bool belongs_to_name = name.size() == 1 || (name.back() == '*' && name[name.size() - 2] == '.');
+    if (op != std::string_view::npos && !belongs_to_name) {
+        constexpr How hows[] = {How::add, How::subtract, How::multiply, How::divide};
+        edit.how = hows[op];
+        name.pop_back();
+    }
+    edit.name = trimmed(name);
+    if (edit.how == How::set && value.ends_with('%')) {
+        edit.how = How::multiply;
+        value = "(" + value.substr(0, value.size() - 1) + ")/100";
+    }
+    try {
+        edit.value = parse_expression(value);
+    } catch (const InputError& error) {
+        throw InputError({}, "the value of " + edit.name + ": " + error.what());
+    }
+    return edit;
+}
+
+EditResult set_numbers(const Grammar& grammar, std::span<const NumberEdit> edits, const SetOptions& options) {
+    NumberSetter setter(grammar);
+    for (const NumberEdit& edit : edits) setter.apply(edit);
+    EditResult result{setter.grammar_, setter.changes_};
+    add_followers(grammar, setter, result.changes);
+    if (!options.keep_rings_closed) return result;
+    EditResult closed = keep_rings_closed(grammar, setter.grammar_);
+    result.grammar = std::move(closed.grammar);
+    result.changes.insert(result.changes.end(), closed.changes.begin(), closed.changes.end());
+    return result;
+}
+
+}  // namespace rinceau
