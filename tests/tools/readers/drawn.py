@@ -155,12 +155,12 @@ class Comparison:
             a, b, c, d = placement["matrix"][:4]
             scale = math.sqrt(abs(a * d - b * c))
             paths = outline.placed(placement["matrix"])
-            key = (placement["terminal"], placement["style"])
+            key = (placement["terminal"], placement["style"], fill, stroke)
             parts = []
             if fill != "none" and self.fills:
                 parts.append(("fill", fill, None))
             elif fill != "none" and (stroke == "none" or style["stroke_width"] <= 0):
-                paths = [closed(path) for path in paths]
+                paths = [closed(path) for path in paths if len(path) > 1 or len(path[0]) == 4]
                 parts.append(("line", fill, None))
             if stroke != "none" and style["stroke_width"] > 0:
                 parts.append(("line", stroke, (style["stroke_width"], 1.0 if style.get("fixed") else scale)))
