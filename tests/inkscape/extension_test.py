@@ -1,6 +1,7 @@
 """The extension in Inkscape.  extension_test.py PROGRAM SOURCE_FOLDER"""
 import subprocess
 import sys
+import xml.etree.ElementTree as ET
 
 import numpy
 
@@ -34,10 +35,24 @@ def expect_all_around(where, number, least):
     assert (counts > least).all(), counts
 
 
-def find_rules_makes_live_clones(inkscape):
-    before, found, painted = inkscape.act(
-        inkscape.file('flower.svg', flower()), [], [select(*PETALS), command('find-rules')],
-        [select('lsystem-Petal'), 'object-set-property:fill,#00ff00'])
+def original_of_clones(group):
+    """The id of the one thing that the group has clones of."""
+    name, = {clone.get(HREF)[1:] for clone in clones(group)}
+    return name
+
+
+def name_of_the_original(program, document):
+    arguments = ['--command=find_rules', *(f'--id={petal}' for petal in PETALS)]
+    changed = subprocess.run([program, 'inkscape', *arguments, str(document)], check=True, capture_output=True).stdout
+    group, = rules_groups(ET.fromstring(changed))
+    return original_of_clones(group)
+
+
+def find_rules_makes_live_clones(inkscape, program):
+    document = inkscape.file('flower.svg', flower())
+    name = name_of_the_original(program, document)
+    before, found, painted = inkscape.act(document, [], [select(*PETALS), command('find-rules')],
+                                          [select(name), 'object-set-property:fill,#00ff00'])
     assert difference(inkscape.picture(before), inkscape.picture(found)) < NO_DIFFERENCE
     old, new = tree(before), tree(found)
     expect_untouched(old, new)
@@ -51,8 +66,9 @@ def find_rules_makes_live_clones(inkscape):
 
     # one petal is real, the others are its clones: it turned green, and they did
     assert len(clones(group)) == 7
-    original = by_id(new, clones(group)[0].get(HREF)[1:])
-    assert original in list(group) and original.tag == SVG + 'path'
+    assert original_of_clones(group) == name
+    original = by_id(group, name)
+    assert original.tag == SVG + 'path' and not any(original in list(defs) for defs in group.iter(SVG + 'defs'))
     assert not (inkscape.picture(found) == GREEN).all(axis=2).any()
     expect_all_around((inkscape.picture(painted) == GREEN).all(axis=2), number=8, least=50)
 
@@ -123,7 +139,7 @@ def uninstalls(inkscape):
 def main(program, source):
     with Session(program, source) as inkscape:
         without_rules_a_message_says_so(inkscape, program)
-        find_rules_makes_live_clones(inkscape)
+        find_rules_makes_live_clones(inkscape, program)
         symmetrize_makes_even(inkscape)
         randomize_uses_the_rules_that_were_found(inkscape)
         replace_takes_a_file_or_a_selected_object(inkscape)
