@@ -89,7 +89,7 @@ def randomize_uses_the_rules_that_were_found(inkscape):
     inkscape.set_parameters({'randomize.angle': 6, 'randomize.distance': 10, 'randomize.seed': 5})
     before, random, again, even = inkscape.act(
         inkscape.file('random.svg', flower()), [], [select(*PETALS), command('find-rules'), command('randomize')],
-        [select('rinceau'), command('randomize')], [select('rinceau'), command('symmetrize')])
+        [command('randomize')], [command('symmetrize')])
     picture = inkscape.picture(random)
     assert difference(inkscape.picture(before), picture) > 0.005
     group, = rules_groups(tree(random))
@@ -105,9 +105,9 @@ def replace_takes_a_file_or_a_selected_object(inkscape):
     leaf = inkscape.file('leaf.svg', '<svg xmlns="http://www.w3.org/2000/svg"><circle r="3" fill="#00ff00"/></svg>')
     document = inkscape.file('replace.svg', flower())
     found, by_object = inkscape.act(document, [select(*PETALS), command('find-rules')],
-                                    [select('rinceau', 'stem'), command('replace')])
+                                    [select('stem'), command('replace')])
     inkscape.set_parameters({'replace.symbol': 'Petal', 'replace.with': leaf})
-    by_file, = inkscape.act(found, [select('rinceau'), command('replace')])
+    by_file, = inkscape.act(found, [select(PETALS[-1]), command('replace')])
     expect_all_around((inkscape.picture(by_file) == GREEN).all(axis=2), number=8, least=20)
     for done in (by_object, by_file):
         group, = rules_groups(tree(done))
