@@ -52,7 +52,7 @@ def find_rules_makes_live_clones(inkscape, program):
     document = inkscape.file('flower.svg', flower())
     name = name_of_the_original(program, document)
     before, found, painted = inkscape.act(document, [], [select(*PETALS), command('find-rules')],
-                                          [select(name), 'object-set-property:fill,#00ff00'])
+                                          ['select-clear', select(name), 'object-set-property:fill,#00ff00'])
     assert difference(inkscape.picture(before), inkscape.picture(found)) < NO_DIFFERENCE
     old, new = tree(before), tree(found)
     expect_untouched(old, new)
