@@ -42,11 +42,13 @@ Json matrix_json(const Affine& map) { return {map.a, -map.b, -map.c, map.d, map.
 
 Json placement_json(const Grammar& grammar, const Placement& placement) {
     const int own = grammar.terminals[static_cast<std::size_t>(placement.terminal)].style;
-    return {{"terminal", placement.terminal},
-            {"style", placement.style != 0 ? placement.style : own},
-            {"layer", placement.layer},
-            {"order", placement.order},
-            {"matrix", matrix_json(to_affine(placement.pose))}};
+    Json json{{"terminal", placement.terminal},
+              {"style", placement.style != 0 ? placement.style : own},
+              {"layer", placement.layer},
+              {"matrix", matrix_json(to_affine(placement.pose))}};
+    if (placement.repaint.fill) json["fill"] = hex_text(*placement.repaint.fill);
+    if (placement.repaint.stroke) json["stroke"] = hex_text(*placement.repaint.stroke);
+    return json;
 }
 
 /// One item a line.

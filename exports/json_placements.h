@@ -9,7 +9,8 @@ namespace rinceau {
 ///  "canvas": [x, y, width, height] or null,
 ///  "styles": [{"number", "fill", "stroke", "stroke_width", "fixed", "stroke_first", "fill_rule"}], where a paint is "none",
 ///  "#rrggbb" or "gradient", "terminals": [{"symbol", "path", "verbatim"}], "placements": [{"terminal": index, "style":
-///  number, "layer": k, "order": place in the derivation, "matrix": [a, b, c, d, e, f]}]}, one a line.
+///  number, "layer": k, "order": place in the derivation, "matrix": [a, b, c, d, e, f]}]}, one a line, with
+///  "fill" and "stroke" where commands have set these: they take the place of solid paints.
 /// Everything as SVG has it, y down: `matrix` takes a point of the terminal's path to the picture. Numbers are exact.
 Export to_placements(const Grammar& grammar, const ExportOptions& options = {});
 
