@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "cli/exit_status.h"
 #include "cli/output_file.h"
 #include "exports/json_grammar.h"
 #include "lsystem/grammar_text.h"

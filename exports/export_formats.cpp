@@ -5,6 +5,8 @@
 
 #include "exports/cfdg.h"
 #include "exports/cpfg.h"
+#include "exports/fractint.h"
+#include "exports/houdini.h"
 #include "exports/json_grammar.h"
 #include "exports/json_placements.h"
 #include "exports/lindenmayer.h"
@@ -24,9 +26,11 @@ constexpr std::array formats{
     ExportFormat{"svg", ".svg", "SVG with live clones, for Inkscape", to_svg_clones},
     ExportFormat{"lpy", ".lpy", "L-Py", to_lpy},
     ExportFormat{"cpfg", ".l", "cpfg of the Virtual Laboratory, with .v and .map", to_cpfg},
+    ExportFormat{"houdini", ".txt", "premise and rules for Houdini's L-System SOP", to_houdini},
+    ExportFormat{"fractint", ".l", "Fractint and Iterated Dynamics, with .map", to_fractint},
+    ExportFormat{"lindenmayer", ".mjs", "JavaScript for npm's lindenmayer", to_lindenmayer},
     ExportFormat{"json", ".json", "the whole grammar as JSON, which every command reads, too", to_json, true},
     ExportFormat{"lsys", ".lsys", "the grammar's own text, back from JSON", to_lsys, true},
-    ExportFormat{"lindenmayer", ".mjs", "JavaScript for npm's lindenmayer", to_lindenmayer},
     ExportFormat{"placements", ".json", "JSON list of what is drawn where, for programs of your own", to_placements},
 };
 
