@@ -37,7 +37,7 @@ Export to_cfdg(const Grammar& grammar, const ExportOptions& options) {
     if (!text) {
         text = parts_text(grammar, options.derive, notes);
         notes.add(chance ? "what is drawn by chance is frozen as the seed has it"
-                         : "rules that move what stands behind them are written as what they become, with numbers");
+                         : "Context Free cannot say these rules by shapes with parameters: they are written as what they become, with numbers");
     } else if (chance) {
         notes.add(
             "draws by chance are Context Free's own: every variation is another picture, and what overlaps may lie in "

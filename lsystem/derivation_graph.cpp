@@ -5,6 +5,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "lsystem/drawn_style.h"
 #include "lsystem/expression_functions.h"
 #include "lsystem/interpret.h"
 #include "lsystem/stream.h"
@@ -65,7 +66,10 @@ class GraphBuilder {
                 state.layer += static_cast<int>(argument);
                 break;
             case TurtleCommand::fill:
+                state.look.fill = packed_color(arguments);
+                break;
             case TurtleCommand::stroke:
+                state.look.stroke = packed_color(arguments);
                 break;
         }
     }
@@ -138,6 +142,15 @@ class GraphBuilder {
 
     static std::size_t symbol_index(Symbol symbol) { return static_cast<std::size_t>(symbol); }
 
+    static int packed_color(std::span<const double> channels) {
+        if (channels.empty()) return -1;
+        int packed = 0;
+        constexpr int base = 256;
+        for (const double channel : channels)
+            packed = packed * base + static_cast<int>(std::lround(std::clamp(channel, 0.0, base - 1.0)));
+        return packed;
+    }
+
     static void turn(Similarity& pose, double degrees) {
         pose.linear = pose.linear * flipped_if(pose.mirrored, {cosine_of_degrees(degrees), sine_of_degrees(degrees)});
     }
@@ -179,9 +192,20 @@ class GraphBuilder {
 
 }  // namespace
 
+namespace {
+
+std::optional<Color> unpacked_color(int packed) {
+    if (packed < 0) return std::nullopt;
+    const auto channel = [&](int shift) { return static_cast<std::uint8_t>(packed >> shift); };
+    return Color{channel(16), channel(8), channel(0)};
+}
+
+}  // namespace
+
 Style look_style(const Grammar& grammar, const Look& look) {
     const int own = grammar.terminals[static_cast<std::size_t>(look.terminal)].style;
-    return StyleTable(grammar).style(look.style != 0 ? look.style : own);
+    const Style style = StyleTable(grammar).style(look.style != 0 ? look.style : own);
+    return repainted(style, {unpacked_color(look.fill), unpacked_color(look.stroke)});
 }
 
 std::optional<DerivationGraph> derivation_graph(const Grammar& grammar, const DeriveOptions& options) {

@@ -16,6 +16,8 @@ namespace rinceau {
 struct Look {
     int terminal = 0;  ///< index into Grammar::terminals
     int style = 0;     ///< number of the style in force, 0 = the terminal's own
+    int fill = -1;     ///< 0xRRGGBB that the command fill has set, -1 = none
+    int stroke = -1;   ///< the same of the command stroke
     friend constexpr auto operator<=>(const Look&, const Look&) = default;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "lsystem/flat_grammar.h"
 #include "lsystem/stream.h"
 
 namespace rinceau {
@@ -148,6 +149,10 @@ Production counted_production(Production production, const std::set<std::string>
 
 Grammar unfolded_exceptions(const Grammar& grammar, const DeriveOptions& options) {
     if (grammar.exceptions.empty() && options.depth < 0) return grammar;
+    // what a homomorphism makes is not rewritten, but it would be in an axiom
+    const auto only_draws = [](const Production& production) { return production.kind == ProductionKind::homomorphism; };
+    if (!grammar.exceptions.empty() && std::ranges::any_of(grammar.productions, only_draws))
+        return flat_grammar(grammar, options);
     const CompiledGrammar compiled = compile(grammar);
     ExpansionMarker marker;
     stream_modules(compiled, options, {}, true, marker);

@@ -6,6 +6,10 @@ build_packages=(g++ cmake ninja-build pkg-config
     librsvg2-dev libcairo2-dev zlib1g-dev)
 
 # To test it, on top of that.
+test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema contextfree inkscape xvfb)
+# node and npm often come from elsewhere.
+command -v node >/dev/null || test_packages+=(nodejs)
+command -v npm >/dev/null || test_packages+=(npm)
 test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema inkscape xvfb contextfree)
 
 say() { printf '%s\n' "$*" >&2; }

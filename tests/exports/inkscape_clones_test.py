@@ -9,6 +9,7 @@ from pathlib import Path
 rinceau, project = sys.argv[1], Path(sys.argv[2])
 sys.path.insert(0, str(project / "tests/tools"))
 from readers import inkscape  # noqa: E402
+from readers.picture import path_points  # noqa: E402
 from readers.svg import SVG, elements_of_file  # noqa: E402
 
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -27,7 +28,7 @@ def an_edit_of_the_original_shows_everywhere(folder):
     assert {"Storeys", "Windows", "Window"} <= {node.get(LABEL) for node in nodes}
     clones = [node for node in nodes if node.tag == SVG + "use"]
     assert len(clones) < 60, "windows are clones of one window, not of its panes"
-    inkscape.run(source, ["select-by-id:Pane", "object-set-attribute:d,M 0,0 H 1 V 1 Z", "object-set-attribute:fill,#00ff00",
+    inkscape.run(source, ["select-by-id:Pane", "object-set-attribute:d,M 0 0 H 1 V 1 Z", "object-set-attribute:fill,#00ff00",
                           "select-clear", "select-all:all", "clone-unlink-recursively", f"export-filename:{edited}",
                           "export-plain-svg", "export-do"], folder)
     before, after = elements_of_file(source), elements_of_file(edited)
@@ -35,7 +36,8 @@ def an_edit_of_the_original_shows_everywhere(folder):
     panes = [node for node in tree.parse(edited).getroot().iter(SVG + "path") if "#00ff00" in str(node.attrib)]
     windows_and_panes = 15 + 4
     assert len(panes) == windows_and_panes, len(panes)
-    assert sum(len(element.points) == 3 for element in after) == windows_and_panes
+    shapes = {node.get("d") for node in panes}
+    assert all(len(path_points(shape)) in (3, 4) for shape in shapes), shapes  # Inkscape may write the closing line
 
 
 def layers_are_layers(folder):
