@@ -3,6 +3,7 @@
 #include <map>
 
 #include "cli/derive_options.h"
+#include "cli/edit_output.h"
 #include "cli/exit_status.h"
 #include "cli/files.h"
 #include "cli/messages.h"
@@ -16,8 +17,7 @@ namespace rinceau {
 namespace {
 
 struct ReplaceVerbOptions {
-    std::string input;
-    std::string output;
+    EditFiles files;
     std::vector<std::string> replacements;
     std::vector<std::string> addresses;
     ReplaceOptions replace;
@@ -33,19 +33,14 @@ std::vector<int> parse_address(const std::string& text) {
 }
 
 int replace(const ReplaceVerbOptions& options) {
-    if (format_of(options.output, FileFormat::lsys) != FileFormat::lsys)
-        throw CLI::ValidationError("-o", "expected a name that ends in .lsys, found '" + options.output + "'");
-    expect_writable(options.output);
+    const Grammar grammar = read_for_edit(options.files);
     ReplaceOptions how = options.replace;
+    how.derive = options.files.derive;
+    how.resolve = [](const Grammar& written) { return resolve_uses(written, read_input); };
     for (const std::string& address : options.addresses) how.at.push_back(parse_address(address));
-    how.resolve = [](const Grammar& grammar) { return resolve_uses(grammar, read_input); };
-    const Grammar grammar = read_grammar_as_written(options.input);
     std::vector<Replacement> replacements;
     for (const std::string& text : options.replacements) replacements.push_back(parse_replacement(text));
-
-    const EditResult result = replace_symbols(grammar, replacements, how);
-    write_output(options.output, to_text(result.grammar));
-    for (const std::string& change : result.changes) say(change);
+    write_edit(grammar, replace_symbols(grammar, replacements, how), options.files);
     return exit_status::done;
 }
 
@@ -55,15 +50,13 @@ void add_replace(CLI::App& program, Job& job) {
     const auto [verb, options] = add_verb<ReplaceVerbOptions>(
         program, job, "replace", "Put symbols, drawings or parts of other grammars in the place of symbols",
         "rinceau replace samples/mandala.lsys Star=Tear Tear=samples/vine.lsys#Leaf -o mandala2.lsys", replace);
-    verb->add_option("RULES", options->input, "The grammar (.lsys, or - for standard input)")->required();
+    add_edit_options(*verb, options->files);
     verb->add_option("SYMBOL=WITH", options->replacements,
                      "A symbol and what takes its place: another symbol (Leaf, Ring(8)), a drawing (leaf.svg), a symbol of "
                      "another grammar (vine.lsys#Leaf) or all of it (vine.lsys), or nothing, which erases. All at once: A=B "
                      "B=A swaps")
         ->required()
         ->type_name("");
-    verb->add_option("-o,--output", options->output, "The new grammar (.lsys); without it, to standard output")
-        ->type_name("FILE");
     const std::map<std::string, ReplaceFit> fits{{"none", ReplaceFit::none},
                                                  {"inside", ReplaceFit::inside},
                                                  {"cover", ReplaceFit::cover},
@@ -82,8 +75,10 @@ void add_replace(CLI::App& program, Job& job) {
         ->delimiter(',')
         ->expected(1)
         ->take_all();
+    verb->add_flag("--restyle", options->replace.restyle,
+                   "Paint what comes from elsewhere in the style that is in force where it is put");
     verb->add_flag("--keep", options->replace.keep, "Keep rules, outlines and styles that nothing uses any more");
-    add_derive_options(*verb, options->replace.derive);
+    add_derive_options(*verb, options->files.derive);
 }
 
 }  // namespace rinceau
