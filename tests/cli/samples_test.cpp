@@ -53,6 +53,18 @@ TEST_CASE("Every sample's drawing is what its grammar draws, byte for byte") {
     }
 }
 
+TEST_CASE("The plants have no mistake and can be drawn") {
+    for (const std::string& grammar : all_samples_in("plants", ".lsys")) {
+        CAPTURE(grammar);
+        const ProgramRun check = run_rinceau({"check", grammar});
+        CHECK(check.err == "");
+        CHECK(check.status == 0);
+        const ProgramRun run = run_rinceau({"render", grammar});
+        CHECK(run.status == 0);
+        CHECK(run.out.find("<use ") != std::string::npos);
+    }
+}
+
 TEST_CASE("No sample's grammar has a mistake") {
     for (const std::string& grammar : all_samples(".lsys")) {
         const ProgramRun run = run_rinceau({"check", grammar});
@@ -66,6 +78,7 @@ TEST_CASE("In every sample the rules that a person sees are found") {
     CHECK(expected.size() == all_samples(".svg").size());
     for (const Json& row : expected) {
         CAPTURE(row["file"]);
+        if (row.contains("chance")) continue;
         const Json report = report_of(sample(row["file"]));
         CHECK(report["elements"] == row["elements"]);
         CHECK(report["terminals"].size() == row["terminals"]);

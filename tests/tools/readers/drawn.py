@@ -160,7 +160,7 @@ class Comparison:
             if fill != "none" and self.fills:
                 parts.append(("fill", fill, None))
             elif fill != "none" and (stroke == "none" or style["stroke_width"] <= 0):
-                paths = [closed(path) for path in paths if len(path) > 1 or len(path[0]) == 4]
+                paths = [closed(path) for path in paths if encloses(path)]
                 parts.append(("line", fill, None))
             if stroke != "none" and style["stroke_width"] > 0:
                 parts.append(("line", stroke, (style["stroke_width"], 1.0 if style.get("fixed") else scale)))
@@ -185,7 +185,7 @@ class Comparison:
                     else:  # the next sub-path begins where this one ends
                         drawn[at] = rest
             else:
-                rings = [path for path in paths if len(corners_of(path)) > 2 or len(path[0]) == 4]
+                rings = [path for path in paths if encloses(path)]
                 taken = []
                 while len(taken) < outlines_of(rings, rule):
                     found = self.next(drawn, at, Fill, key)
@@ -305,6 +305,11 @@ class Comparison:
 
     def name(self, key):
         return self.picture.terminals[key[0]]["symbol"]
+
+
+def encloses(path):
+    """A straight line encloses nothing that could be filled."""
+    return len(np.unique(corners_of(path), axis=0)) > 2 or any(len(segment) == 4 for segment in path)
 
 
 def closed(path):
