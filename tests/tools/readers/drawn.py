@@ -309,7 +309,7 @@ class Comparison:
 
 def encloses(path):
     """A straight line encloses nothing that could be filled."""
-    return len(corners_of(path)) > 2 or len(path[0]) == 4
+    return len(np.unique(corners_of(path), axis=0)) > 2 or any(len(segment) == 4 for segment in path)
 
 
 def closed(path):
