@@ -6,9 +6,9 @@
 
 #include "lsystem/constant_values.h"
 #include "lsystem/keep_rings.h"
-#include "lsystem/near_name.h"
 #include "lsystem/number_slots.h"
 #include "lsystem/number_text.h"
+#include "lsystem/similar_name.h"
 
 namespace rinceau {
 
@@ -25,14 +25,14 @@ std::string trimmed(std::string_view text) {
 /// Names that hold what was asked for come first, then the one that is nearest.
 [[noreturn]] void throw_unknown(const std::string& name, const std::vector<GrammarNumber>& numbers) {
     constexpr std::size_t most_named = 4;
-    std::vector<std::string> known;
+    std::vector<std::string_view> known;
     std::vector<std::string> holding;
     for (const GrammarNumber& number : numbers) {
         if (number.rank == NumberRank::hidden && number.constant < 0) continue;
         known.push_back(number.name);
         if (number.name.find(name) != std::string::npos) holding.push_back(number.name);
     }
-    std::string cure = instead_of(name, known);
+    std::string cure = did_you_mean(name, known);
     if (!holding.empty()) cure = ": there is";
     for (std::size_t i = 0; i < std::min(holding.size(), most_named); ++i) cure += (i > 0 ? ", " : " ") + holding[i];
     throw InputError({}, "expected the name of a number of the grammar, found '" + name + "'" + cure +
