@@ -5,6 +5,7 @@
 #include "cli/derive_options.h"
 #include "cli/exit_status.h"
 #include "cli/files.h"
+#include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/verbs.h"
 #include "lsystem/grammar_text.h"
@@ -31,22 +32,31 @@ FileFormat picture_format(const RenderOptions& options) {
     return format;
 }
 
-std::string drawn_svg(const RenderOptions& options) {
-    const Grammar grammar = read_grammar(options.input);
+void draw_svg(const Grammar& grammar, const RenderOptions& options, const TextSink& sink) {
     ProgressBar bar;
     // A level is the length of an address.
     const bool addresses = options.color_by == ColorBy::level;
-    const auto placements = interpret(grammar, {.derive = options.derive, .addresses = addresses}, bar.callback());
-    return grammar_svg(grammar, placements, {.color_by = options.color_by});
+    write_grammar_svg(grammar, {.derive = options.derive, .addresses = addresses}, {.color_by = options.color_by}, sink,
+                      bar.callback());
+}
+
+std::string rasterized(const Grammar& grammar, const RenderOptions& options, FileFormat format) {
+    std::string svg;
+    draw_svg(grammar, options, [&](std::string_view piece) { svg += piece; });
+    return format == FileFormat::png ? svg_to_png(svg, options.width) : svg_to_pdf(svg);
 }
 
 int render(const RenderOptions& options) {
     const FileFormat format = picture_format(options);
     expect_writable(options.output);
-    std::string picture = drawn_svg(options);
-    if (format == FileFormat::png) picture = svg_to_png(picture, options.width);
-    if (format == FileFormat::pdf) picture = svg_to_pdf(picture);
-    write_output(options.output, picture);
+    const Grammar grammar = read_grammar(options.input);
+    OutputFile output(options.output);
+    if (format == FileFormat::svg) {
+        draw_svg(grammar, options, [&](std::string_view piece) { output.write(piece); });
+    } else {
+        output.write(rasterized(grammar, options, format));
+    }
+    output.finish();
     return exit_status::done;
 }
 
@@ -58,7 +68,7 @@ void add_render(CLI::App& program, Job& job) {
                                 "rinceau render samples/rosette.lsys -o rosette.png --width 900", render);
     verb->add_option("RULES", options->input, "The grammar (.lsys, or - for standard input)")->required();
     verb->add_option("-o,--output", options->output,
-                     "The picture, its format by the ending; without it, SVG to standard output")
+                     "The picture (.svg, .png or .pdf, by its ending); without it, SVG to standard output")
         ->type_name("FILE");
     constexpr int widest_png = 32767;  // librsvg's and cairo's limit
     verb->add_option("--width", options->width, "Width of a .png in pixels; without it, the drawing's own")
@@ -68,7 +78,7 @@ void add_render(CLI::App& program, Job& job) {
         {"rule", ColorBy::rule}, {"terminal", ColorBy::terminal}, {"level", ColorBy::level}};
     verb->add_option("--color-by", options->color_by, "Paint by what made each thing: rule, terminal or level")
         ->transform(CLI::CheckedTransformer(colorings).description(""))
-        ->type_name("WHAT");
+        ->type_name("rule|terminal|level");
     add_derive_options(*verb, options->derive);
 }
 

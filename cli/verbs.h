@@ -23,6 +23,8 @@ void add_symmetrize(CLI::App& program, Job& job);
 void add_normalize(CLI::App& program, Job& job);
 void add_replace(CLI::App& program, Job& job);
 void add_inkscape(CLI::App& program, Job& job);
+void add_man(CLI::App& program, Job& job);
+void add_completion(CLI::App& program, Job& job);
 
 /// Declares a verb with options of type `Options`; parsing it makes `run` on them the job.
 template <class Options>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "lsystem/expression_functions.h"
 
@@ -44,13 +46,25 @@ std::unordered_map<std::string, double> evaluate_constants(const Grammar& gramma
     return scope.constants;
 }
 
+bool has_context(const Production& production) {
+    return !production.left_context.empty() || !production.right_context.empty();
+}
+
+std::string line_text(const SourcePlace& place) {
+    return place.line > 0 ? " in line " + std::to_string(place.line) : std::string();
+}
+
 void expect_derivable(const Grammar& grammar) {
     const auto refuse = [](const SourcePlace& place, const std::string& what) {
         throw InputError(place, "expected a grammar without " + what + ", which cannot be derived");
     };
     if (!grammar.uses.empty()) refuse(grammar.uses.front().place, "'use'");
-    for (const Production& production : grammar.productions) {
-        if (!production.left_context.empty() || !production.right_context.empty()) refuse(production.place, "contexts");
+    const auto in_context = std::ranges::find_if(grammar.productions, has_context);
+    if (in_context != grammar.productions.end() && !grammar.exceptions.empty()) {
+        throw InputError(grammar.exceptions.front().place,
+                         "expected a grammar without exceptions, because the production of " + in_context->symbol +
+                             line_text(in_context->place) +
+                             " has a context, found 'except': give the symbol in that place a name of its own instead");
     }
 }
 
@@ -73,11 +87,16 @@ class Compiler {
         for (const Exception& exception : grammar.exceptions) {
             result_.exceptions.push_back(compile_string(exception.successor, SaltOf::exception));
         }
+        for (const std::string& symbol : grammar.ignored) number_of(symbol);
+        result_.ignored.resize(result_.symbols.size());
+        for (const std::string& symbol : grammar.ignored)
+            result_.ignored[static_cast<std::size_t>(number_of(symbol))] = true;
         result_.terminal_of.resize(result_.symbols.size(), -1);
         result_.productions_of.resize(result_.symbols.size());
         for (const CompiledProduction& production : result_.productions) check_production_arity(production.successor);
         check_production_arity(result_.axiom);
         for (const CompiledString& successor : result_.exceptions) check_production_arity(successor);
+        if (result_.contextual) check_contexts();
         return std::move(result_);
     }
 
@@ -129,6 +148,10 @@ class Compiler {
         compiled.kind = production.kind;
         compiled.parameters = static_cast<int>(production.parameters.size());
         scope_.parameters = production.parameters;
+        compiled.left_context = compile_context(production.left_context);
+        compiled.right_context = compile_context(production.right_context);
+        compiled.context_parameters = static_cast<int>(scope_.parameters.size()) - compiled.parameters;
+        result_.contextual = result_.contextual || has_context(production);
         const int turn = turn_of(compiled.symbol, production);
         compiled.conditional = production.condition.has_value();
         if (compiled.conditional) {
@@ -144,6 +167,51 @@ class Compiler {
         }
         compiled.successor = compile_string(production.successor);
         result_.productions.push_back(std::move(compiled));
+    }
+
+    /// Its parameters come behind those that the scope has already.
+    std::vector<CompiledContext> compile_context(const std::vector<ContextModule>& context) {
+        std::vector<CompiledContext> result;
+        for (const ContextModule& module : context) {
+            if (find_turtle_command(module.symbol) != nullptr) {
+                throw InputError(module.place,
+                                 "expected a symbol of your own in a context, which looks past commands, "
+                                 "found the command '" +
+                                     module.symbol + "'");
+            }
+            scope_.parameters.insert(scope_.parameters.end(), module.parameters.begin(), module.parameters.end());
+            result.push_back({number_of(module.symbol), static_cast<int>(module.parameters.size())});
+        }
+        return result;
+    }
+
+    /// Numbers of arguments that symbols stand with.
+    std::map<Symbol, std::set<int>> standing_arities() const {
+        std::map<Symbol, std::set<int>> arities;
+        const auto look_at = [&](const CompiledString& string) {
+            for (const CompiledModule& module : string) arities[module.symbol].insert(module.argument_count);
+        };
+        look_at(result_.axiom);
+        for (const CompiledProduction& production : result_.productions) look_at(production.successor);
+        return arities;
+    }
+
+    /// A symbol of a context must be able to stand there.
+    void check_contexts() const {
+        const std::map<Symbol, std::set<int>> arities = standing_arities();
+        for (const Production& production : result_.grammar->productions) {
+            for (const auto* context : {&production.left_context, &production.right_context}) {
+                for (const ContextModule& module : *context) check_context(module, arities);
+            }
+        }
+    }
+    void check_context(const ContextModule& module, const std::map<Symbol, std::set<int>>& arities) const {
+        const auto standing = arities.find(numbers_.at(module.symbol));
+        const auto found = static_cast<int>(module.parameters.size());
+        if (standing == arities.end() || standing->second.contains(found)) return;
+        throw InputError(module.place, "expected " + std::to_string(*standing->second.begin()) +
+                                           " parameter(s) of the context " + module.symbol +
+                                           ", as where it stands in a string, found " + std::to_string(found));
     }
 
     /// The place of a production among those of its symbol and kind.
@@ -260,6 +328,11 @@ class Compiler {
 };
 
 }  // namespace
+
+void throw_not_finite(const CompiledModule& module) {
+    throw InputError(module.source->place,
+                     "expected finite arguments of " + module.source->symbol + ", found a division by zero or an overflow");
+}
 
 CompiledGrammar compile(const Grammar& grammar, std::optional<std::uint64_t> seed) {
     constexpr std::uint64_t default_seed = 1;

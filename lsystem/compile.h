@@ -34,10 +34,19 @@ struct CompiledModule {
 
 using CompiledString = std::vector<CompiledModule>;
 
+/// A symbol with so many parameters that must stand beside the one that is rewritten.
+struct CompiledContext {
+    Symbol symbol = 0;
+    int parameters = 0;
+};
+
 struct CompiledProduction {
     Symbol symbol = 0;
     ProductionKind kind = ProductionKind::rewriting;
-    int parameters = 0;
+    int parameters = 0;  ///< of the symbol; behind them programs have the slots of the left context, then of the right
+    std::vector<CompiledContext> left_context;   ///< the nearest last
+    std::vector<CompiledContext> right_context;  ///< the nearest first
+    int context_parameters = 0;                  ///< of both
     bool conditional = false;
     bool weighted = false;
     Program condition;
@@ -69,9 +78,11 @@ struct CompiledGrammar {
     CompiledString axiom;
     std::vector<CompiledString> exceptions;
     ExceptionTree exception_tree;
-    int stack_size = 1;   ///< of the largest expression
-    DrawKey root = 0;     ///< key of the axiom
-    bool random = false;  ///< something is drawn, so that keys are needed
+    int stack_size = 1;         ///< of the largest expression
+    DrawKey root = 0;           ///< key of the axiom
+    bool random = false;        ///< something is drawn, so that keys are needed
+    bool contextual = false;    ///< productions have contexts
+    std::vector<bool> ignored;  ///< by symbol: contexts look past it
 
     /// A terminal, or what a homomorphism may draw: such a module has an address even where it continues its level.
     bool is_drawn(Symbol symbol) const {
@@ -80,9 +91,12 @@ struct CompiledGrammar {
     }
 };
 
+/// Throws InputError at the module: its arguments are not finite.
+[[noreturn]] void throw_not_finite(const CompiledModule& module);
+
 /// `seed` is for random numbers; without one it is the grammar's, without that 1. Throws InputError for unknown names, wrong
 /// numbers of arguments of commands and of symbols that have productions or are terminals, constants that are not finite,
-/// unknown numbers of styles.
+/// unknown numbers of styles, exceptions beside contexts.
 CompiledGrammar compile(const Grammar& grammar, std::optional<std::uint64_t> seed = {});
 
 }  // namespace rinceau

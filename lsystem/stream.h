@@ -2,7 +2,6 @@
 // Derivation as a stream: the modules of the derived string one after the other, depth first, with an explicit stack.
 // Memory is proportional to the depth. Internal to the folder.
 
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,10 +9,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "lsystem/compile.h"
-#include "lsystem/derive.h"
+#include "lsystem/choose_production.h"
+#include "lsystem/derive_context.h"
 #include "lsystem/interpret.h"
-#include "lsystem/number_text.h"
 
 namespace rinceau {
 
@@ -26,41 +24,6 @@ struct StreamPlace {
     const std::vector<Occurrence>& trail_front;  ///< the trail but its last occurrence
 };
 
-/// Counts what is derived and stops what does not end (derive.h, DeriveOptions).
-class DerivationLimits {
-  public:
-    DerivationLimits(const CompiledGrammar& grammar, const DeriveOptions& options);
-
-    void count_module() {
-        if (++work_ > options_.max_modules) throw_too_large();
-    }
-    /// `generation`: steps of rewriting down to it; `between`: productions that took no step on the way.
-    void count_application(int production, int generation, int between, std::size_t open) {
-        ++applied_[static_cast<std::size_t>(production)];
-        count_module();
-        if (generation > deepest_ || between > options_.max_recursion || open > max_open) throw_too_deep(production);
-    }
-    /// Called now and then.
-    void check_time() const;
-    /// Modules are rewritten while their generation is below this.
-    int depth() const { return options_.depth < 0 ? std::numeric_limits<int>::max() : options_.depth; }
-
-  private:
-    static constexpr std::size_t max_open = 4'000'000;  // productions being expanded at a time: some 300 MB
-
-    const CompiledGrammar& grammar_;
-    DeriveOptions options_;
-    std::uint64_t work_ = 0;  ///< modules that were passed on or rewritten
-    std::vector<std::uint64_t> applied_;
-    int deepest_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-
-    [[noreturn]] void throw_too_large() const;
-    [[noreturn]] void throw_too_deep(int production) const;
-    [[noreturn]] void throw_at(int production, const std::string& what) const;
-    int most_applied() const;
-};
-
 /// Sink: void command(const CompiledModule&, std::span<const double> arguments);
 ///       void leaf(const CompiledModule&, std::span<const double> arguments, const StreamPlace&);
 ///       void exception(int index), called when an exception takes the place of a module.
@@ -70,14 +33,18 @@ class DerivationLimits {
 /// A sink with a member draws_nothing gets the derived string: homomorphisms do not apply.
 /// tracked: addresses and trails are kept and exceptions apply. A grammar with exceptions needs it.
 /// keyed: modules have keys to draw by. A grammar that draws anything needs it.
-template <class Sink, bool tracked, bool keyed>
+/// decided: what is rewritten was decided before, by contexts.
+template <class Sink, bool tracked, bool keyed, bool decided>
 class ModuleStream {
   public:
-    ModuleStream(const CompiledGrammar& grammar, const DeriveOptions& options, const Progress& progress, Sink& sink)
+    ModuleStream(const CompiledGrammar& grammar, DerivationLimits& limits, const Progress& progress, Sink& sink,
+                 const ContextDecisions& decisions)
         : grammar_(grammar),
-          limits_(grammar, options),
+          limits_(limits),
           progress_(progress),
           sink_(sink),
+          decisions_(decisions),
+          choice_(grammar),
           scratch_(static_cast<std::size_t>(grammar.stack_size)) {}
 
     void run() {
@@ -120,6 +87,7 @@ class ModuleStream {
         bool opens_trail = false;
         int fixed_number = 0;  ///< > 0: the one module of an exception stands at the address of the module it replaces
         int fixed_node = ExceptionTree::none;
+        std::size_t decision = 0;                                               ///< of its first symbol, if decided
         [[no_unique_address]] std::conditional_t<keyed, DrawKey, NoKey> key{};  ///< of the module whose place it takes
     };
     /// A symbol on its way: where it stands and what it draws by.
@@ -152,9 +120,11 @@ class ModuleStream {
     }
 
     const CompiledGrammar& grammar_;
-    DerivationLimits limits_;
+    DerivationLimits& limits_;
     const Progress& progress_;
     Sink& sink_;
+    const ContextDecisions& decisions_;
+    ProductionChoice choice_;
     std::vector<double> scratch_;
     std::vector<Frame> frames_;
     std::vector<double> values_;  ///< parameters of the open frames
@@ -220,11 +190,6 @@ class ModuleStream {
         }
         return arguments_;
     }
-    [[noreturn]] static void throw_not_finite(const CompiledModule& module) {
-        throw InputError(module.source->place, "expected finite arguments of " + module.source->symbol +
-                                                   ", found a division by zero or an overflow");
-    }
-
     void pass_command(const Frame& frame, const CompiledModule& module) {
         limits_.count_module();
         sink_.command(module, arguments_of(frame, module));
@@ -238,7 +203,10 @@ class ModuleStream {
         }
         const std::span<const double> arguments = arguments_of(frame, module);
         const ProductionsOfSymbol& productions = grammar_.productions_of[static_cast<std::size_t>(module.symbol)];
-        const int production = frame.drawing ? fitting(productions.homomorphism, arguments, standing.key)
+        if constexpr (decided) {
+            if (!frame.drawing && expand_as_decided(frame, module, arguments, standing)) return;
+        }
+        const int production = frame.drawing ? choice_.choose_by_count(productions.homomorphism, arguments, standing.key)
                                              : rewriting(frame, productions, arguments, standing.key);
         if (production >= 0) {
             expand(frame, module, production, arguments, standing);
@@ -247,11 +215,28 @@ class ModuleStream {
         }
     }
 
+    /// False if the symbol stands in the derived string.
+    bool expand_as_decided(const Frame& frame, const CompiledModule& module, std::span<const double> arguments,
+                           Standing& standing) {
+        const ContextDecisions::Decision decision =
+            decisions_.symbols[frame.decision + static_cast<std::size_t>(module.number) - 1];
+        if (decision.production < 0) return false;
+        const CompiledProduction& applied = grammar_.productions[static_cast<std::size_t>(decision.production)];
+        const int waited = decision.step - frame.generation;
+        standing.key = key_after(standing.key, waited);
+        expand(frame, module, decision.production, arguments, standing, waited);
+        frames_.back().decision = decision.first;
+        const auto first = decisions_.values.begin() + static_cast<std::ptrdiff_t>(decision.values);
+        values_.insert(values_.end(), first, first + applied.context_parameters);
+        return true;
+    }
+
     int rewriting(const Frame& frame, const ProductionsOfSymbol& productions, std::span<const double> arguments,
                   DrawKey key) {
-        const int production = fitting(productions.decomposition, arguments, key);
+        if constexpr (decided) return -1;
+        const int production = choice_.choose_by_count(productions.decomposition, arguments, key);
         if (production >= 0 || frame.generation >= limits_.depth()) return production;
-        return fitting(productions.rewriting, arguments, key);
+        return choice_.choose_by_count(productions.rewriting, arguments, key);
     }
 
     /// A symbol that is not rewritten.
@@ -263,7 +248,8 @@ class ModuleStream {
         }
         if constexpr (draws) {
             const ProductionsOfSymbol& productions = grammar_.productions_of[static_cast<std::size_t>(module.symbol)];
-            const int production = frame.drawing ? -1 : fitting(productions.homomorphism, arguments, standing.key);
+            const int production =
+                frame.drawing ? -1 : choice_.choose_by_count(productions.homomorphism, arguments, standing.key);
             if (production >= 0) {
                 standing.continues = false;
                 expand(frame, module, production, arguments, standing);
@@ -318,71 +304,11 @@ class ModuleStream {
         }
     }
 
-    bool fits(const CompiledProduction& production, int index, std::span<const double> arguments, DrawKey key) {
-        if (production.parameters != static_cast<int>(arguments.size())) return false;
-        if (!production.conditional) return true;
-        const double holds = evaluate(production.condition, arguments.data(), scratch_.data(), key);
-        if (std::isnan(holds)) throw_undefined(index);
-        return holds != 0;
-    }
-
-    /// Of the productions the one that is applied to a module, or -1.
-    int fitting(const std::vector<int>& productions, std::span<const double> arguments, DrawKey key) {
-        for (std::size_t i = 0; i < productions.size(); ++i) {
-            const int index = productions[i];
-            const CompiledProduction& production = grammar_.productions[static_cast<std::size_t>(index)];
-            if (!fits(production, index, arguments, key)) continue;
-            if constexpr (keyed) {
-                if (production.weighted) return drawn_by_weight(std::span(productions).subspan(i), arguments, key);
-            }
-            return index;
-        }
-        return -1;
-    }
-
-    /// Of productions, the first of which has a weight and fits: each that does so waits for an exponential time with its
-    /// weight as the rate, and the first to come is applied. So each wins in proportion to its weight, and a change of one
-    /// weight changes no choice between two others.
-    int drawn_by_weight(std::span<const int> productions, std::span<const double> arguments, DrawKey key) {
-        int winner = -1;
-        double earliest = std::numeric_limits<double>::infinity();
-        for (const int index : productions) {
-            const CompiledProduction& production = grammar_.productions[static_cast<std::size_t>(index)];
-            if (!production.weighted || !fits(production, index, arguments, key)) continue;
-            const double weight = evaluate(production.weight, arguments.data(), scratch_.data(), key);
-            if (!(weight >= 0) || std::isinf(weight)) throw_bad_weight(index, weight);
-            if (weight == 0) continue;
-            const double time = exponential_draw(key_below(key, production.salt)) / weight;
-            if (winner >= 0 && time >= earliest) continue;
-            winner = index;
-            earliest = time;
-        }
-        if (winner < 0) throw_no_weight(productions.front());
-        return winner;
-    }
-    const Production& source_of(int production) const {
-        return grammar_.grammar->productions[static_cast<std::size_t>(production)];
-    }
-    [[noreturn]] void throw_bad_weight(int production, double weight) const {
-        throw InputError(source_of(production).place,
-                         "expected a weight of " + source_of(production).symbol + " that is finite and not below 0, found " +
-                             (std::isfinite(weight) ? number_text(weight) : "0/0 or an overflow"));
-    }
-    [[noreturn]] void throw_no_weight(int production) const {
-        throw InputError(source_of(production).place, "expected a weight above 0 among the productions of " +
-                                                          source_of(production).symbol +
-                                                          " that apply, found only weights of 0");
-    }
-    [[noreturn]] void throw_undefined(int production) const {
-        const Production& source = source_of(production);
-        throw InputError(source.place, "expected a condition of " + source.symbol + " with a value, found 0/0 or the like");
-    }
-
     void expand(const Frame& at, const CompiledModule& module, int production, std::span<const double> arguments,
-                const Standing& standing) {
+                const Standing& standing, int waited = 0) {
         const CompiledProduction& applied = grammar_.productions[static_cast<std::size_t>(production)];
         const bool step = applied.kind == ProductionKind::rewriting;
-        const int generation = at.generation + (step ? 1 : 0);
+        const int generation = at.generation + waited + (step ? 1 : 0);
         const int between = at.between + (step ? 0 : 1);
         const int occurrence = at.occurrence;
         limits_.count_application(production, generation, between, frames_.size());
@@ -408,13 +334,19 @@ template <class Sink>
 void stream_modules(const CompiledGrammar& grammar, const DeriveOptions& options, const Progress& progress, bool track,
                     Sink& sink) {
     const bool tracked = track || !grammar.exception_tree.empty();
-    const auto run = [&]<bool is_tracked, bool is_keyed>() {
-        ModuleStream<Sink, is_tracked, is_keyed>(grammar, options, progress, sink).run();
+    DerivationLimits limits(grammar, options);
+    ContextDecisions decisions;
+    const auto run = [&]<bool is_tracked, bool is_keyed, bool is_decided>() {
+        ModuleStream<Sink, is_tracked, is_keyed, is_decided>(grammar, limits, progress, sink, decisions).run();
     };
-    if (grammar.random) {
-        tracked ? run.template operator()<true, true>() : run.template operator()<false, true>();
+    if (grammar.contextual) {
+        decisions = decide_by_context(grammar, limits, progress);
+        limits.count_from_zero();
+        run.template operator()<true, true, true>();
+    } else if (grammar.random) {
+        tracked ? run.template operator()<true, true, false>() : run.template operator()<false, true, false>();
     } else {
-        tracked ? run.template operator()<true, false>() : run.template operator()<false, false>();
+        tracked ? run.template operator()<true, false, false>() : run.template operator()<false, false, false>();
     }
 }
 

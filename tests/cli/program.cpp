@@ -142,9 +142,11 @@ ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramO
 
 std::string sample(const std::string& name) { return std::string(RINCEAU_SOURCE_DIR) + "/samples/" + name; }
 
-std::vector<std::string> all_samples(const std::string& ending) {
+std::vector<std::string> all_samples(const std::string& ending) { return all_samples_in("", ending); }
+
+std::vector<std::string> all_samples_in(const std::string& folder, const std::string& ending) {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(sample("")))
+    for (const auto& entry : std::filesystem::directory_iterator(sample(folder)))
         if (entry.path().extension() == ending) names.push_back(entry.path().string());
     std::ranges::sort(names);
     return names;

@@ -54,5 +54,7 @@ std::string sample(const std::string& name);
 
 /// All samples with this ending (".svg", ".lsys"), sorted.
 std::vector<std::string> all_samples(const std::string& ending);
+/// Those in a folder of samples.
+std::vector<std::string> all_samples_in(const std::string& folder, const std::string& ending);
 
 }  // namespace rinceau::test

@@ -53,6 +53,18 @@ TEST_CASE("Every sample's drawing is what its grammar draws, byte for byte") {
     }
 }
 
+TEST_CASE("The plants have no mistake and can be drawn") {
+    for (const std::string& grammar : all_samples_in("plants", ".lsys")) {
+        CAPTURE(grammar);
+        const ProgramRun check = run_rinceau({"check", grammar});
+        CHECK(check.err == "");
+        CHECK(check.status == 0);
+        const ProgramRun run = run_rinceau({"render", grammar});
+        CHECK(run.status == 0);
+        CHECK(run.out.find("<use ") != std::string::npos);
+    }
+}
+
 TEST_CASE("No sample's grammar has a mistake") {
     for (const std::string& grammar : all_samples(".lsys")) {
         const ProgramRun run = run_rinceau({"check", grammar});

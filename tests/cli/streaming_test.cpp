@@ -39,6 +39,18 @@ TEST_CASE("The string of modules is written in memory that does not grow with it
     CHECK(large.peak_kib < small.peak_kib + 4 * mebibyte);
 }
 
+TEST_CASE("A picture is written in memory that does not grow with it, byte for byte as a short one") {
+    const ScratchFolder scratch;
+    const std::string output = scratch.file("picture.svg");
+    const ProgramRun small = run_to("render", koch(3), output);
+    REQUIRE(small.status == 0);
+    CHECK(read_file(output) == run_rinceau({"render", "-"}, {.input = koch(3)}).out);
+    const ProgramRun large = run_to("render", koch(8), output);
+    REQUIRE(large.status == 0);
+    CHECK(std::filesystem::file_size(output) > 4'000'000);
+    CHECK(large.peak_kib < small.peak_kib + 4 * mebibyte);
+}
+
 TEST_CASE("A string that is interrupted or fails far behind its beginning leaves the old file and nothing beside it") {
     const ScratchFolder scratch;
     const std::string name = scratch.file("string.txt");

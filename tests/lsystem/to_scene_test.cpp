@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "lsystem/grammar_text.h"
-#include "scene/svg_read.h"
 #include "scene/svg_path_data.h"
+#include "scene/svg_read.h"
 #include "scene/svg_transform.h"
 
 using namespace rinceau;
@@ -83,8 +83,9 @@ TEST_CASE("a use takes the width of a fixed stroke back by its scale; equal ones
     const std::string svg = svg_of(grammar_of("[F] [*(4) F] *(0.25) F"));
     CHECK(count(svg, "<path ") == 1);
     CHECK(count(svg, "<use ") == 3);
-    for (const char* lengths : {"stroke-width=\"2\" stroke-dasharray=\"3 1\"", "stroke-width=\"0.5\" stroke-dasharray=\"0.75 0.25\"",
-                                "stroke-width=\"8\" stroke-dasharray=\"12 4\""})
+    for (const char* lengths :
+         {"stroke-width=\"2\" stroke-dasharray=\"3 1\"", "stroke-width=\"0.5\" stroke-dasharray=\"0.75 0.25\"",
+          "stroke-width=\"8\" stroke-dasharray=\"12 4\""})
         CHECK(count(svg, lengths) == 1);
     const std::string one_scale = svg_of(grammar_of("*(4) F +(30) F f(3) F"));
     CHECK(count(one_scale, "stroke-width=\"0.5\"") == 1);
@@ -150,4 +151,28 @@ TEST_CASE("colours by rule, terminal or level replace paint and nothing else") {
     CHECK(by_rule.find("fc0") == std::string::npos);
     CHECK(count(by_rule, "stroke-width=\"2\"") == 2);
     CHECK(count(svg_of(grammar, {ColorBy::level}), "<path ") == 2);
+}
+
+TEST_CASE("a picture that is written as it is derived has the bytes of one made from a list") {
+    const std::string drawn =
+        "canvas 0 0 100 100\n"
+        "style 1: fill red; stroke black; stroke-width 2 fixed\n"
+        "style 2: fill linear-gradient(matrix(1 0 0 1 0 0), 0 red, 1 blue); stroke gold\n"
+        "terminal A: style 1; path \"M0 0H1V1Z\"; id \"first\"\n"
+        "terminal B: style 2; path \"M0 0H2V1Z\"; id \"second\"\n"
+        "terminal C: box 0 -1 1 0; verbatim <<<SVG\n<text>c</text>\nSVG\n";
+    const std::vector<std::string> strings{
+        "axiom:\n", "axiom: A f(1) [z(2) B] f(1) +(30) [*(2) A] f(2) C z(-1) C\n",
+        "axiom: R(5)\nR(n) : n > 0 -> [z(n) fill(10*n, 0, 0) A] f(1) [;(2) *(n) A] [z(-n) B] R(n-1)\n",  // many layers
+        "axiom: R(5)\nR(n) : n > 0 -> [z(n % 2) +(uniform(0, 90)) A] f(normal(1, 0.1)) [C] R(n-1) : 1\nR(n) -> B : 1\n"};
+    for (const std::string& string : strings) {
+        const Grammar grammar = parse_grammar("lsystem 1\n" + drawn + string);
+        for (const ColorBy color_by : {ColorBy::none, ColorBy::rule, ColorBy::terminal, ColorBy::level}) {
+            const InterpretOptions derivation{.addresses = true};
+            std::string written;
+            write_grammar_svg(grammar, derivation, {.color_by = color_by},
+                              [&](std::string_view piece) { written += piece; });
+            CHECK(written == grammar_svg(grammar, interpret(grammar, derivation), {.color_by = color_by}));
+        }
+    }
 }

@@ -1,4 +1,4 @@
-#include "lsystem/stream.h"
+#include "lsystem/derivation_limits.h"
 
 #include <algorithm>
 
