@@ -7,6 +7,7 @@
 #include "analyzer/paint_order.h"
 #include "analyzer/report.h"
 #include "analyzer/same_picture.h"
+#include "analyzer/scatter.h"
 #include "analyzer/verify_layout.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
@@ -47,10 +48,15 @@ struct Proof {
 Proof proof_of(const Drawing& drawing, const Description& description, const Overlaps& overlaps,
                const AnalyzeOptions& options) {
     Proof proof;
-    if (options.symmetrize) {
-        proof.layered = with_paint_order(description.written.grammar, description.written.element_of_leaf, overlaps);
+    if (options.symmetrize || options.stochastic) {
+        const Instancing& instancing = description.reading->instancing;
+        const Grammar layout =
+            options.symmetrize
+                ? description.written.grammar
+                : with_scatter(description.written, instancing, exact_tolerance(*description.reading)).grammar;
+        proof.layered = with_paint_order(layout, description.written.element_of_leaf, overlaps);
         proof.grammar = parse_grammar(to_text(proof.layered));
-        proof.check = verify_layout(proof.grammar, description.written, description.reading->instancing, drawing.diagonal);
+        proof.check = verify_layout(proof.grammar, description.written, instancing, drawing.diagonal);
         return proof;
     }
     proof.layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
@@ -83,6 +89,7 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
     AnalysisReport& report_out = analysis.report;
     report_out.seconds.similarity = prepared.seconds;
     report_out.symmetrized = options.symmetrize;
+    report_out.stochastic = options.stochastic;
     Stopwatch watch;
     const Overlaps& overlaps = prepared.overlaps;
     // Two readings: equal shapes in other styles are other looks, or one look with its colours as arguments.
@@ -128,8 +135,7 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
             }
             continue;
         }
-        fill_report(report_out, description.ordered, description.written, analysis.grammar,
-                    description.reading->instancing);
+        fill_report(report_out, description.ordered, description.written, analysis.grammar, description.reading->instancing);
         report_out.drawing_bits = bits.drawing;
         report_out.grammar_bits = bits.grammar;
         report_out.tolerance = description.tolerance;

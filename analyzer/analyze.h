@@ -43,6 +43,7 @@ struct AnalysisReport {
     double tolerance = 0;  ///< the one that was kept
     Objective objective = Objective::bits;
     bool symmetrized = false;  ///< `check` is verify_layout's
+    bool stochastic = false;   ///< so it is here
     std::vector<std::string> warnings;
     AnalysisSeconds seconds;
 };

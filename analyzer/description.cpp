@@ -58,6 +58,8 @@ RuleSet no_rules(const Drawing& drawing) {
 
 }  // namespace
 
+double exact_tolerance(const Drawing& drawing) { return exact_share * drawing.diagonal; }
+
 DescriptionBits bits_of(const Description& description, const Grammar& grammar) {
     const Drawing& drawing = *description.reading;
     DescriptionBits bits = description_bits(description.ordered, description.written, grammar, drawing.instancing,
@@ -77,7 +79,7 @@ std::optional<Description> describe(const Drawing& drawing, RuleSet rules, doubl
                      drawing.instancing);
     if (!written) return std::nullopt;
     description.written = std::move(*written);
-    Residuals exact = with_residuals(description.written, drawing.instancing, exact_share * drawing.diagonal);
+    Residuals exact = with_residuals(description.written, drawing.instancing, exact_tolerance(drawing));
     description.exact = std::move(exact.grammar);
     description.deviation = std::move(exact.deviation);
     description.bits = bits_of(description, description.exact);

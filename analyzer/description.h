@@ -33,6 +33,9 @@ struct Description {
     ConvincingCost if_longer, if_not_longer;  ///< of its opening
 };
 
+/// How far an element may miss its place, a scene length: a tenth of a pixel of a picture 900 pixels wide.
+double exact_tolerance(const Drawing& drawing);
+
 /// Nothing if the reading's colours cannot be brought into the rules. `tolerance` is only noted.
 std::optional<Description> describe(const Drawing& drawing, RuleSet rules, double tolerance);
 

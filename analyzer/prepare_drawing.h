@@ -21,6 +21,8 @@ struct AnalyzeOptions {
     Objective objective = Objective::bits;
     /// Draw the regular layout behind the drawing: what elements miss their places by is dropped.
     bool symmetrize = false;
+    /// Draw a relative of the drawing: the rules get noise of the size that elements miss their places by. Not beside symmetrize.
+    bool stochastic = false;
     int threads = 0;  ///< 0 = one per processor; the result is the same for any number
 };
 

@@ -54,38 +54,60 @@ Nearest nearest_gauge(const Look& look, double reach, const Similarity& drawn, c
 
 }  // namespace
 
-Residuals with_residuals(const WrittenGrammar& written, const Instancing& instancing, double tolerance) {
-    Residuals result;
-    result.grammar = written.grammar;
-    bool commented = false;
-    InterpretOptions options;
-    options.addresses = true;
-    const std::vector<Placement> placements = interpret(written.grammar, options);
-    std::map<std::vector<int>, std::size_t> exception_at;  // of stand-ins and other styles
-    for (std::size_t e = 0; e < written.grammar.exceptions.size(); ++e) {
-        if (!written.grammar.exceptions[e].successor.empty()) exception_at[written.grammar.exceptions[e].address] = e;
-    }
+std::vector<LeafResidual> leaf_residuals(const WrittenGrammar& written, const Instancing& instancing) {
+    std::vector<Placement> placements = interpret(written.grammar, {.addresses = true, .trails = true});
+    std::ranges::sort(placements, {}, &Placement::order);
     std::vector<double> reaches;
     for (const Look& look : instancing.looks) reaches.push_back(look.verbatim.empty() ? outline_reach(look) : 1);
-    result.deviation.resize(placements.size());
-    std::vector<const Placement*> by_order(placements.size());
-    for (const Placement& placement : placements) by_order[static_cast<std::size_t>(placement.order)] = &placement;
-    for (std::size_t leaf = 0; leaf < by_order.size() && leaf < written.element_of_leaf.size(); ++leaf) {
-        const Placement& placement = *by_order[leaf];
+    std::vector<LeafResidual> residuals;
+    residuals.reserve(placements.size());
+    for (std::size_t leaf = 0; leaf < placements.size() && leaf < written.element_of_leaf.size(); ++leaf) {
+        Placement& placement = placements[leaf];
         const Instance& instance = instancing.instances[static_cast<std::size_t>(written.element_of_leaf[leaf])];
         const auto at = static_cast<std::size_t>(instance.look);
-        const Similarity& anchor = written.terminal_anchor[at];
-        const Nearest nearest = nearest_gauge(instancing.looks[at], reaches[at], instance.pose, anchor, placement.pose);
-        result.deviation[leaf] = nearest.deviation;
-        if (nearest.deviation <= tolerance) continue;
-        std::vector<ModuleTemplate> move;
-        const double size = scale_of(placement.pose);
-        const double reach = reaches[at] * scale_of(instance.pose);
-        const double fine = residual_share * tolerance;
-        append_move(move, inverse(placement.pose) * nearest.pose,
-                    {fine / size, fine / std::max(reach, fine), fine / std::max(reach, fine), fine / std::max(reach, fine)});
+        const Nearest nearest =
+            nearest_gauge(instancing.looks[at], reaches[at], instance.pose, written.terminal_anchor[at], placement.pose);
+        const Similarity move = inverse(placement.pose) * nearest.pose;
+        residuals.push_back({std::move(placement), move, nearest.deviation, reaches[at] * scale_of(instance.pose)});
+    }
+    return residuals;
+}
+
+namespace {
+
+/// What moves the turtle to where the drawing has the terminal.
+std::vector<ModuleTemplate> move_of(const LeafResidual& residual, double tolerance) {
+    std::vector<ModuleTemplate> move;
+    const double size = scale_of(residual.placement.pose);
+    const double fine = residual_share * tolerance;
+    const double turn = fine / std::max(residual.reach, fine);
+    append_move(move, residual.move, {fine / size, turn, turn, turn});
+    return move;
+}
+
+}  // namespace
+
+Residuals with_residuals(const WrittenGrammar& written, const Instancing& instancing, double tolerance) {
+    return with_residuals(written.grammar, leaf_residuals(written, instancing), tolerance);
+}
+
+Residuals with_residuals(const Grammar& grammar, const std::vector<LeafResidual>& residuals, double tolerance,
+                         const std::vector<bool>& left) {
+    Residuals result;
+    result.grammar = grammar;
+    bool commented = false;
+    std::map<std::vector<int>, std::size_t> exception_at;  // of stand-ins and other styles
+    for (std::size_t e = 0; e < grammar.exceptions.size(); ++e) {
+        if (!grammar.exceptions[e].successor.empty()) exception_at[grammar.exceptions[e].address] = e;
+    }
+    for (std::size_t leaf = 0; leaf < residuals.size(); ++leaf) {
+        const LeafResidual& residual = residuals[leaf];
+        const Placement& placement = residual.placement;
+        result.deviation.push_back(residual.deviation);
+        if (residual.deviation <= tolerance || (!left.empty() && left[leaf])) continue;
+        std::vector<ModuleTemplate> move = move_of(residual, tolerance);
         ++result.exceptions;
-        const std::string& symbol = written.grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol;
+        const std::string& symbol = grammar.terminals[static_cast<std::size_t>(placement.terminal)].symbol;
         const auto known = exception_at.find(placement.address);
         if (known != exception_at.end()) {  // a stand-in, or one of another style: its only symbol is moved
             std::vector<ModuleTemplate>& successor = result.grammar.exceptions[known->second].successor;

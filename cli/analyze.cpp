@@ -115,8 +115,13 @@ void add_recognition_options(CLI::App& verb, AnalyzeVerbOptions& options) {
             "What decides on the next rule: what it saves in bits, or the importance function of Stava et al. 2010, which "
             "joins whatever repeats")
         ->type_name("bits|paper");
-    verb.add_flag("--symmetrize", options.analyze.symmetrize,
-                  "Draw the regular layout behind an irregular drawing; the report says how far elements moved");
+    CLI::Option* symmetrize =
+        verb.add_flag("--symmetrize", options.analyze.symmetrize,
+                      "Draw the regular layout behind an irregular drawing; the report says how far elements moved");
+    verb.add_flag("--stochastic", options.analyze.stochastic,
+                  "Instead of where each element of an irregular drawing stands, write how much they scatter: every seed "
+                  "draws a relative of the drawing")
+        ->excludes(symmetrize);
     verb.add_option("--threads", options.analyze.threads,
                     "Threads; 0 = one per processor; the result is the same for any number")
         ->check(CLI::Range(0, most_threads))
@@ -134,7 +139,7 @@ void add_analyze(CLI::App& program, Job& job) {
     verb->add_option("-o,--output", options->output, "Where to write the grammar (.lsys); without it, the rules are printed")
         ->type_name("FILE");
     verb->add_flag("--print", options->print, "Print the rules for a person to read also when -o is given");
-    verb->add_option("--report", options->report, "Where to write what was found as JSON (docs/report.schema.json)")
+    verb->add_option("--report", options->report, "Where to write what was found (.json, as docs/report.schema.json says)")
         ->type_name("FILE");
     verb->add_option("--spaces", options->spaces,
                      "Where to write the transformation spaces: .csv a table, .svg scatter plots")

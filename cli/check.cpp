@@ -15,7 +15,7 @@ struct CheckOptions {
 
 int check(const CheckOptions& options) {
     const std::string label = input_label(options.input);
-    const GrammarFindings findings = inspect_grammar(read_input(options.input), label, read_input);
+    const GrammarFindings findings = inspect_grammar(read_grammar_text(options.input), label, read_grammar_text);
     for (const Warning& mistake : findings.mistakes) say(located(mistake.place, mistake.message));
     if (!findings.mistakes.empty()) return exit_status::input_at_fault;
     for (const Warning& hint : findings.hints) say(located(hint.place, "hint: " + hint.message));

@@ -38,10 +38,10 @@ std::string companion_name(const std::string& output, const std::string& ending)
 
 int export_rules(const ExportVerbOptions& options) {
     expect_writable(options.output);
-    const Grammar grammar = read_grammar(options.input);
-    const Export result =
-        find_export_format(options.format)
-            ->write(grammar, {.derive = options.derive, .name = name_of(options.input), .live_random = options.live_random});
+    const ExportFormat& format = *find_export_format(options.format);
+    const Grammar grammar = format.keeps_uses ? read_grammar_as_written(options.input) : read_grammar(options.input);
+    const Export result = format.write(
+        grammar, {.derive = options.derive, .name = name_of(options.input), .live_random = options.live_random});
     for (const std::string& note : result.notes) say("note: " + note);
     const bool to_file = !options.output.empty() && options.output != "-";
     if (!to_file && !result.companions.empty()) say("note: files that belong beside this one are written only with -o FILE");

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cli/output_file.h"
+#include "exports/json_grammar.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/resolve_uses.h"
 #include "scene/input_error.h"
@@ -65,9 +66,17 @@ std::string read_input(const std::string& name) {
     return read_all(file.number(), label);
 }
 
-Grammar read_grammar_as_written(const std::string& name) { return parse_grammar(read_input(name), input_label(name)); }
+Grammar read_grammar_as_written(const std::string& name) {
+    const std::string text = read_input(name);
+    return looks_like_json(text) ? parse_json_grammar(text, input_label(name)) : parse_grammar(text, input_label(name));
+}
 
-Grammar read_grammar(const std::string& name) { return resolve_uses(read_grammar_as_written(name), read_input); }
+std::string read_grammar_text(const std::string& name) {
+    std::string text = read_input(name);
+    return looks_like_json(text) ? to_text(parse_json_grammar(text, input_label(name))) : text;
+}
+
+Grammar read_grammar(const std::string& name) { return resolve_uses(read_grammar_as_written(name), read_grammar_text); }
 
 void write_output(const std::string& name, std::string_view bytes) {
     OutputFile file(name);

@@ -15,9 +15,12 @@ std::string input_label(const std::string& name);
 /// than any drawing that can be analysed.
 std::string read_input(const std::string& name);
 
-/// The grammar of a file as its text says, its uses kept: for edits. Throws as read_input, and InputError at its first
-/// mistake.
+/// The grammar of a file as its text or its JSON (exports/json_grammar.h) says, its uses kept: for edits. Throws as
+/// read_input, and InputError at its first mistake.
 Grammar read_grammar_as_written(const std::string& name);
+
+/// The text of a grammar's file, written anew if the file is JSON. Throws in the same way.
+std::string read_grammar_text(const std::string& name);
 
 /// The grammar of a file with all that it uses (resolve_uses.h): for deriving, drawing and exporting. Throws in the same
 /// way.

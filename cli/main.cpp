@@ -46,10 +46,12 @@ void describe(CLI::App& program) {
     });
 }
 
-/// Inkscape starts a program without a verb; by this name it means that one.
+/// Inkscape starts a program without a verb; by this name it means that one. A field left empty in its dialog is no value.
 std::vector<std::string> words_of(int argc, char** argv) {
-    std::vector<std::string> words(argv + 1, argv + argc);
-    if (argc > 0 && std::filesystem::path(argv[0]).stem() == "rinceau-inkscape") words.insert(words.begin(), "inkscape");
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (argc == 0 || std::filesystem::path(argv[0]).stem() != "rinceau-inkscape") return words;
+    std::erase_if(words, [](const std::string& word) { return word.starts_with("--") && word.ends_with('='); });
+    words.insert(words.begin(), "inkscape");
     return words;
 }
 
@@ -65,9 +67,12 @@ int main(int argc, char** argv) {
     add_check(program, job);
     add_export(program, job);
     add_set(program, job);
+    add_randomize(program, job);
     add_normalize(program, job);
     add_replace(program, job);
     add_inkscape(program, job);
+    add_man(program, job);
+    add_completion(program, job);
     try {
         return parse_and_run(program, job, words_of(argc, argv));
     } catch (const InputError& error) {

@@ -68,7 +68,7 @@ void add_render(CLI::App& program, Job& job) {
                                 "rinceau render samples/rosette.lsys -o rosette.png --width 900", render);
     verb->add_option("RULES", options->input, "The grammar (.lsys, or - for standard input)")->required();
     verb->add_option("-o,--output", options->output,
-                     "The picture, its format by the ending; without it, SVG to standard output")
+                     "The picture (.svg, .png or .pdf, by its ending); without it, SVG to standard output")
         ->type_name("FILE");
     constexpr int widest_png = 32767;  // librsvg's and cairo's limit
     verb->add_option("--width", options->width, "Width of a .png in pixels; without it, the drawing's own")
@@ -78,7 +78,7 @@ void add_render(CLI::App& program, Job& job) {
         {"rule", ColorBy::rule}, {"terminal", ColorBy::terminal}, {"level", ColorBy::level}};
     verb->add_option("--color-by", options->color_by, "Paint by what made each thing: rule, terminal or level")
         ->transform(CLI::CheckedTransformer(colorings).description(""))
-        ->type_name("WHAT");
+        ->type_name("rule|terminal|level");
     add_derive_options(*verb, options->derive);
 }
 

@@ -33,13 +33,14 @@ std::string terminal_line(const TerminalReport& terminal) {
 
 std::string summary_line(const AnalysisReport& report) {
     const auto bits = [](double value) { return std::to_string(std::llround(value)); };
+    const std::string moved = report.symmetrized ? "regular layout" : report.stochastic ? "a relative of the drawing" : "";
     std::string line = count(report.elements, "element", "elements") + ", " +
                        count(static_cast<int>(report.terminals.size()), "terminal", "terminals") + ", " +
                        count(static_cast<int>(report.productions.size()), "rule", "rules") + "; " +
                        bits(report.grammar_bits) + " bits instead of " + bits(report.drawing_bits) +
-                       (report.symmetrized ? "; regular layout, elements moved by " + short_number(report.check.rms_deviation) +
-                                                 " (root mean square) and at most "
-                                           : "; largest deviation ") +
+                       (moved.empty() ? "; largest deviation "
+                                      : "; " + moved + ", elements moved by " + short_number(report.check.rms_deviation) +
+                                            " (root mean square) and at most ") +
                        short_number(report.check.max_deviation) + " of the diagonal";
     if (report.objective == Objective::paper) line += "; rules in the order of the paper's importance function";
     if (report.verbatim > 0) line += "; " + count(report.verbatim, "element", "elements") + " kept verbatim";

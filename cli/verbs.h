@@ -18,9 +18,12 @@ void add_derive(CLI::App& program, Job& job);
 void add_check(CLI::App& program, Job& job);
 void add_export(CLI::App& program, Job& job);
 void add_set(CLI::App& program, Job& job);
+void add_randomize(CLI::App& program, Job& job);
 void add_normalize(CLI::App& program, Job& job);
 void add_replace(CLI::App& program, Job& job);
 void add_inkscape(CLI::App& program, Job& job);
+void add_man(CLI::App& program, Job& job);
+void add_completion(CLI::App& program, Job& job);
 
 /// Declares a verb with options of type `Options`; parsing it makes `run` on them the job.
 template <class Options>

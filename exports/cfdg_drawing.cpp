@@ -46,7 +46,7 @@ std::string cfdg_head(const Grammar& grammar, const std::string& start, double m
         }
     }
     text += "CF::MinimumSize = 0.000001\n";  // pixels; less is taken for the usual limit, which leaves small things out
-    constexpr double usual_limit = 1000;  // of natural numbers
+    constexpr double usual_limit = 1000;     // of natural numbers
     if (most >= usual_limit) text += "CF::MaxNatural = " + number_of(most + 1) + '\n';
     return text + '\n';
 }

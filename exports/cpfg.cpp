@@ -8,6 +8,7 @@
 #include "exports/drawn_terminal.h"
 #include "exports/palette.h"
 #include "exports/prepared_grammar.h"
+#include "exports/single_characters.h"
 #include "exports/target_names.h"
 #include "exports/turtle_walk.h"
 #include "lsystem/number_text.h"
@@ -23,15 +24,7 @@ constexpr std::size_t longest_line = 110;
 /// cpfg's parser counts the numbers of a file in a name of 30 characters, 127 to a character.
 constexpr std::size_t most_numbers = 3500;
 
-struct CpfgSymbol {
-    char character = 0;
-    int number = -1;  ///< first argument of modules that share a character; -1 = none
-};
-
 using Names = std::map<std::string, std::string, std::less<>>;
-
-/// Thrown inside when an expression has no counterpart; the whole export falls back on placements.
-struct NoCounterpart {};
 
 /// A comment's text: cpfg's scanner stops at a slash, and its files are ASCII.
 std::string comment_line(std::string_view text) {
@@ -76,52 +69,30 @@ class StringText {
 class CpfgWriter {
   public:
     CpfgWriter(const PreparedGrammar& prepared, const ExportOptions& options)
-        : prepared_(prepared), grammar_(prepared.grammar), options_(options) {
-        name_symbols();
+        : prepared_(prepared),
+          grammar_(prepared.grammar),
+          options_(options),
+          symbols_(single_characters(all_symbols_of(prepared.grammar), free_characters)) {
         name_constants();
     }
 
-    std::optional<Export> write() {
-        try {
-            const std::string constants = constants_text();
-            const std::string rules = rules_text();
-            Export result{.bytes = head_text() + cpfg_prelude(used_) + constants + rules, .notes = prepared_.notes};
-            result.companions = {{".v", view_text()}, {".map", map_bytes()}};
-            add_notes(result);
-            return result;
-        } catch (const NoCounterpart&) {
-            return std::nullopt;
-        }
+    Export write() {
+        const std::string constants = constants_text();
+        const std::string rules = rules_text();
+        Export result{.bytes = head_text() + cpfg_prelude(used_) + constants + rules, .notes = prepared_.notes};
+        result.companions = {{".v", view_text()}, {".map", map_bytes()}};
+        add_notes(result);
+        return result;
     }
 
   private:
     const PreparedGrammar& prepared_;
     const Grammar& grammar_;
     const ExportOptions& options_;
-    std::map<std::string, CpfgSymbol, std::less<>> symbols_;
+    std::map<std::string, SingleCharacter, std::less<>> symbols_;
     Names constants_;
     std::set<std::string> used_;
     Palette palette_{1, 255};  // 0 is the background
-
-    /// The first letter of the name if it is free, else the next free one; the last one is shared by all that are left over.
-    void name_symbols() {
-        const std::set<std::string> all = all_symbols(grammar_);
-        const bool shared = all.size() > free_characters.size();
-        std::string left(free_characters);
-        const char last = left.back();
-        if (shared) left.pop_back();
-        int number = 0;
-        for (const std::string& symbol : all) {
-            if (left.empty()) {
-                symbols_[symbol] = {last, number++};
-                continue;
-            }
-            std::size_t at = left.find(symbol.front());
-            if (at == std::string::npos) at = 0;
-            symbols_[symbol] = {left[at], -1};
-            left.erase(at, 1);
-        }
-    }
 
     /// Names begin with a letter.
     static std::string lettered(const std::string& name) { return name.front() == '_' ? 'p' + name : name; }
@@ -150,7 +121,7 @@ class CpfgWriter {
             return std::nullopt;
         };
         std::optional<std::string> text = write_expression(source, syntax);
-        if (!text) throw NoCounterpart{};
+        if (!text) throw RulesLost{"cpfg has no counterpart of " + to_text(source)};
         return std::move(*text);
     }
 
@@ -176,7 +147,7 @@ class CpfgWriter {
     }
 
     std::string symbol_text(const std::string& name, std::string arguments) const {
-        const CpfgSymbol& symbol = symbols_.find(name)->second;
+        const SingleCharacter& symbol = symbols_.find(name)->second;
         if (symbol.number >= 0) arguments = std::to_string(symbol.number) + (arguments.empty() ? "" : ',' + arguments);
         return symbol.character + (arguments.empty() ? std::string() : '(' + arguments + ')');
     }
@@ -213,7 +184,7 @@ class CpfgWriter {
     std::string pattern_text(const std::string& name, const std::vector<std::string>& parameters, const Names& locals,
                              std::vector<std::string>& conditions) const {
         std::string names;
-        const CpfgSymbol& symbol = symbols_.find(name)->second;
+        const SingleCharacter& symbol = symbols_.find(name)->second;
         if (symbol.number >= 0) {
             names = "k_which" + std::to_string(conditions.size());
             conditions.push_back(names + " == " + std::to_string(symbol.number));
@@ -386,12 +357,8 @@ class CpfgWriter {
 }  // namespace
 
 Export to_cpfg(const Grammar& grammar, const ExportOptions& options) {
-    if (const std::optional<PreparedGrammar> prepared = prepared_rules(grammar, options, "cpfg")) {
-        if (std::optional<Export> result = CpfgWriter(*prepared, options).write()) return std::move(*result);
-    }
-    const std::string reason =
-        is_random(grammar) ? "what is drawn by chance is frozen as the seed makes it" : "cpfg cannot follow them";
-    return *CpfgWriter(prepared_placements(grammar, options, "cpfg", reason), options).write();
+    return write_prepared(grammar, options, "cpfg",
+                          [&](const PreparedGrammar& prepared) { return CpfgWriter(prepared, options).write(); });
 }
 
 }  // namespace rinceau

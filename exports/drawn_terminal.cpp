@@ -61,6 +61,14 @@ Polygon polyline_of(const Path& path, double deviation) {
     return corners;
 }
 
+void expect_outlines(const Grammar& grammar, const std::string& format) {
+    const auto is_fragment = [](const Terminal& terminal) { return !terminal.verbatim.empty(); };
+    if (grammar.terminals.empty() || !std::ranges::all_of(grammar.terminals, is_fragment)) return;
+    throw InputError(grammar.terminals.front().place,
+                     "expected a terminal with a path, found only fragments of SVG, of which " + format +
+                         " draws nothing; --to svg keeps them");
+}
+
 std::vector<std::string> drawing_notes(const Grammar& grammar, const std::string& format) {
     const auto any_style = [&](auto holds) {
         return std::ranges::any_of(grammar.styles, [&](const NumberedStyle& style) { return holds(style.style); });

@@ -34,6 +34,9 @@ DrawnTerminal drawn_terminal(const Terminal& terminal, const Style& style);
 /// Corners of the path, curves flattened; a closed path ends where it began.
 Polygon polyline_of(const Path& path, double deviation);
 
+/// Throws InputError if all terminals are fragments of SVG: `format` would draw nothing.
+void expect_outlines(const Grammar& grammar, const std::string& format);
+
 /// One sentence for each thing of the grammar's styles, terminals and layers that lines and polygons in plain colours cannot
 /// hold: gradients, opacities, dashes, pens, fragments, layers, .. `format` begins the sentences: "L-Py".
 std::vector<std::string> drawing_notes(const Grammar& grammar, const std::string& format);

@@ -13,6 +13,7 @@ struct ExportFormat {
     std::string_view ending;  ///< of a file: ".lpy"
     std::string_view help;    ///< the program that reads it, in a few words
     Export (*write)(const Grammar&, const ExportOptions&);
+    bool keeps_uses = false;  ///< holds what a grammar uses as it is written; else the used files must be put in before
 };
 
 /// In the order in which they are listed to a user.

@@ -138,9 +138,6 @@ bool is_lpy_name(std::string_view name) { return std::ranges::find(lpy_names, na
 /// A rewriting rule's own names.
 using Locals = std::map<std::string, std::string, std::less<>>;
 
-/// Thrown inside when an expression has no counterpart; the whole export falls back on placements.
-struct NoCounterpart {};
-
 class LpyWriter {
   public:
     LpyWriter(const PreparedGrammar& prepared, const ExportOptions& options)
@@ -148,16 +145,12 @@ class LpyWriter {
         name_everything();
     }
 
-    /// Nothing if an expression has no counterpart in Python.
-    std::optional<std::string> write() {
-        try {
-            const std::string constants = constants_text();
-            const std::string shapes = shapes_text();
-            const std::string rules = rules_text();
-            return head_text() + python_prelude(used_) + shapes + constants + modules_text() + rules;
-        } catch (const NoCounterpart&) {
-            return std::nullopt;
-        }
+    Export write() {
+        const std::string constants = constants_text();
+        const std::string shapes = shapes_text();
+        const std::string rules = rules_text();
+        return {.bytes = head_text() + python_prelude(used_) + shapes + constants + modules_text() + rules,
+                .notes = prepared_.notes};
     }
 
   private:
@@ -177,7 +170,7 @@ class LpyWriter {
     void name_everything() {
         std::set<std::string> taken;
         const auto allowed = [](std::string_view name) { return !is_lpy_name(name) && !is_python_name_taken(name); };
-        for (const std::string& symbol : all_symbols(grammar_)) symbols_[symbol] = free_name(symbol, taken, allowed);
+        for (const std::string& symbol : all_symbols_of(grammar_)) symbols_[symbol] = free_name(symbol, taken, allowed);
         const auto python_allowed = [&](std::string_view name) {
             return !is_python_name_taken(name) && !name.starts_with("rinceau") && !name.starts_with("shape_");
         };
@@ -205,7 +198,7 @@ class LpyWriter {
             return std::nullopt;
         };
         std::optional<std::string> text = write_expression(source, syntax);
-        if (!text) throw NoCounterpart{};
+        if (!text) throw RulesLost{"L-Py has no counterpart of " + to_text(source)};
         return std::move(*text);
     }
 
@@ -417,14 +410,8 @@ class LpyWriter {
 }  // namespace
 
 Export to_lpy(const Grammar& grammar, const ExportOptions& options) {
-    if (const std::optional<PreparedGrammar> prepared = prepared_rules(grammar, options, "L-Py")) {
-        if (std::optional<std::string> text = LpyWriter(*prepared, options).write())
-            return {.bytes = std::move(*text), .notes = prepared->notes};
-    }
-    const PreparedGrammar placed = prepared_placements(
-        grammar, options, "L-Py",
-        is_random(grammar) ? "what is drawn by chance is frozen as the seed makes it" : "L-Py cannot follow them");
-    return {.bytes = LpyWriter(placed, options).write().value_or(""), .notes = placed.notes};
+    return write_prepared(grammar, options, "L-Py",
+                          [&](const PreparedGrammar& prepared) { return LpyWriter(prepared, options).write(); });
 }
 
 }  // namespace rinceau

@@ -4,22 +4,14 @@
 
 #include "exports/carried_state.h"
 #include "exports/drawn_terminal.h"
-#include "exports/expression_writer.h"
 #include "lsystem/flat_grammar.h"
+#include "lsystem/grammar_names.h"
 #include "lsystem/turtle_commands.h"
 #include "lsystem/unfolded_exceptions.h"
 
 namespace rinceau {
 
 namespace {
-
-bool draws_numbers(const Expression& expression) { return calls(expression, "uniform") || calls(expression, "normal"); }
-
-bool draws_numbers(const std::vector<ModuleTemplate>& modules) {
-    return std::ranges::any_of(modules, [](const ModuleTemplate& module) {
-        return std::ranges::any_of(module.arguments, [](const Expression& argument) { return draws_numbers(argument); });
-    });
-}
 
 bool repaints(const std::vector<ModuleTemplate>& modules) {
     return std::ranges::any_of(
@@ -32,12 +24,33 @@ bool repaints(const Grammar& grammar) {
            });
 }
 
-/// Style numbers become arguments; nothing if they cannot.
-std::optional<PreparedGrammar> without_style_commands(Grammar grammar) {
-    if (!remembers(grammar, TurtleMemory::style)) return PreparedGrammar{std::move(grammar)};
+/// Style numbers become arguments.
+PreparedGrammar without_style_commands(Grammar grammar) {
+    if (!remembers(grammar, TurtleMemory::style)) return {.grammar = std::move(grammar)};
     std::optional<Grammar> styled = carried(grammar, TurtleMemory::style);
-    if (!styled) return std::nullopt;
-    return PreparedGrammar{std::move(*styled), true};
+    if (!styled) throw RulesLost{"a style is in force beyond the symbol that sets it"};
+    return {.grammar = std::move(*styled), .styled = true};
+}
+
+PreparedGrammar prepared_rules(const Grammar& grammar, const ExportOptions& options, const std::string& format) {
+    if (draws_random_numbers(grammar)) throw RulesLost{"what is drawn by chance is frozen as the seed makes it"};
+    if (repaints(grammar)) throw RulesLost{"they change colours"};
+    if (has_contexts(grammar) && options.derive.depth >= 0) throw RulesLost{"they have contexts, and the depth is limited"};
+    PreparedGrammar prepared = without_style_commands(unfolded_exceptions(grammar, options.derive));
+    prepared.notes = drawing_notes(grammar, format);
+    if (!grammar.exceptions.empty()) {
+        prepared.notes.insert(prepared.notes.begin(),
+                              format + " has no exceptions: the rules are written out where one applies.");
+    }
+    return prepared;
+}
+
+PreparedGrammar prepared_placements(const Grammar& grammar, const ExportOptions& options, const std::string& format,
+                                    const std::string& reason) {
+    PreparedGrammar flat = without_style_commands(flat_grammar(grammar, options.derive));
+    flat.notes = drawing_notes(flat.grammar, format);
+    flat.notes.insert(flat.notes.begin(), "The rules are not kept, every element is placed by itself: " + reason + '.');
+    return flat;
 }
 
 }  // namespace
@@ -51,7 +64,7 @@ std::vector<StyleChoice> styles_of(const PreparedGrammar& prepared, const Termin
     return choices;
 }
 
-std::set<std::string> all_symbols(const Grammar& grammar) {
+std::set<std::string> all_symbols_of(const Grammar& grammar) {
     std::set<std::string> symbols;
     const auto look = [&](const std::vector<ModuleTemplate>& modules) {
         for (const ModuleTemplate& module : modules) {
@@ -82,39 +95,20 @@ std::set<std::size_t> arities_of(const Grammar& grammar, const std::string& symb
     return arities;
 }
 
-bool is_random(const Grammar& grammar) {
-    return draws_numbers(grammar.axiom) || std::ranges::any_of(grammar.productions, [](const Production& production) {
-               return production.weight || draws_numbers(production.successor) ||
-                      (production.condition && draws_numbers(*production.condition));
-           });
-}
-
 bool has_contexts(const Grammar& grammar) {
     return std::ranges::any_of(grammar.productions, [](const Production& production) {
         return !production.left_context.empty() || !production.right_context.empty();
     });
 }
 
-std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options,
-                                              const std::string& format) {
-    if (is_random(grammar) || repaints(grammar)) return std::nullopt;
-    if (has_contexts(grammar) && options.derive.depth >= 0) return std::nullopt;
-    std::optional<PreparedGrammar> prepared = without_style_commands(unfolded_exceptions(grammar, options.derive));
-    if (!prepared) return std::nullopt;
-    prepared->notes = drawing_notes(grammar, format);
-    if (!grammar.exceptions.empty()) {
-        prepared->notes.insert(prepared->notes.begin(),
-                               format + " has no exceptions: the rules are written out where one applies.");
+Export write_prepared(const Grammar& grammar, const ExportOptions& options, const std::string& format,
+                      const std::function<Export(const PreparedGrammar&)>& write) {
+    expect_outlines(grammar, format);
+    try {
+        return write(prepared_rules(grammar, options, format));
+    } catch (const RulesLost& lost) {
+        return write(prepared_placements(grammar, options, format, lost.reason));
     }
-    return prepared;
-}
-
-PreparedGrammar prepared_placements(const Grammar& grammar, const ExportOptions& options, const std::string& format,
-                                    const std::string& reason) {
-    std::optional<PreparedGrammar> flat = without_style_commands(flat_grammar(grammar, options.derive));
-    flat->notes = drawing_notes(flat->grammar, format);
-    flat->notes.insert(flat->notes.begin(), "The rules are not kept, every element is placed by itself: " + reason + '.');
-    return std::move(*flat);
 }
 
 int steps_to_the_end(const Grammar& grammar, const DeriveOptions& options) {

@@ -2,7 +2,7 @@
 // A grammar brought to what programs for L-systems have in common: no exceptions, no limit of depth, no style commands,
 // nothing drawn by chance. Internal to the folder.
 
-#include <optional>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,14 +17,16 @@ struct PreparedGrammar {
     std::vector<std::string> notes;
 };
 
-/// The rules kept where they can be; nothing where they cannot: then prepared_placements is what is left. `format` begins
-/// the notes: "L-Py". Throws as derive().
-std::optional<PreparedGrammar> prepared_rules(const Grammar& grammar, const ExportOptions& options,
-                                              const std::string& format);
+/// Thrown where rules cannot be written; `reason` follows a colon: "a style is in force beyond the symbol that sets it".
+struct RulesLost {
+    std::string reason;
+};
 
-/// Every placement by itself (lsystem/flat_grammar.h); `reason` is why: "draws by chance are frozen as the seed makes them".
-PreparedGrammar prepared_placements(const Grammar& grammar, const ExportOptions& options, const std::string& format,
-                                    const std::string& reason);
+/// `write` with the rules kept, or, where it or the preparation throws RulesLost, with every placement by itself
+/// (lsystem/flat_grammar.h) and a note why. `format` begins the notes: "L-Py". Throws as derive(), and InputError if nothing
+/// but fragments of SVG would be drawn.
+Export write_prepared(const Grammar& grammar, const ExportOptions& options, const std::string& format,
+                      const std::function<Export(const PreparedGrammar&)>& write);
 
 /// A style in which a terminal may be drawn.
 struct StyleChoice {
@@ -36,13 +38,10 @@ struct StyleChoice {
 std::vector<StyleChoice> styles_of(const PreparedGrammar& prepared, const Terminal& terminal);
 
 /// All symbols: of modules, productions and terminals, in order of the alphabet.
-std::set<std::string> all_symbols(const Grammar& grammar);
+std::set<std::string> all_symbols_of(const Grammar& grammar);
 
 /// How many arguments the modules of a symbol have, wherever they stand.
 std::set<std::size_t> arities_of(const Grammar& grammar, const std::string& symbol);
-
-/// Are numbers or productions drawn by chance?
-bool is_random(const Grammar& grammar);
 
 bool has_contexts(const Grammar& grammar);
 

@@ -20,7 +20,7 @@ class RoleFinder {
         for (const int position : approach.commands) {
             const ModuleTemplate& module = module_at(position);
             if (module.symbol == "f") moves_.push_back(position);
-            if (turn_sign(module) != 0) turns_.push_back(position);
+            if (turn_sign(module) != 0 && !find_noise_command(module)) turns_.push_back(position);
         }
         is_offset_ = moves_.size() == 2 && turns_before(moves_[0]) == 0 && turns_before(moves_[1]) == 1;
     }
@@ -29,7 +29,8 @@ class RoleFinder {
         ApproachRoles result;
         for (const int position : approach_.commands) {
             const ModuleTemplate& module = module_at(position);
-            if (module.arguments.size() != 1) continue;  // |, or a mistake
+            if (module.arguments.size() != 1) continue;  // |, a colour, or a mistake
+            if (find_noise_command(module)) continue;
             const std::string role = numbered(role_of(position, module.symbol));
             const int sign = turn_sign(module);
             auto value = value_of(without_noise(module.arguments.front()), constants_);

@@ -7,9 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "lsystem/interpret.h"
 #include "lsystem/measure_symbol.h"
-#include "lsystem/near_name.h"
 #include "lsystem/number_text.h"
 #include "lsystem/replacement_content.h"
 #include "lsystem/replacement_seats.h"
@@ -64,7 +62,7 @@ ModuleTemplates without_idle_brackets(const ModuleTemplates& string) {
 /// What is known of all instances of one written module.
 struct WrittenModule {
     std::set<std::vector<double>> numbers;  ///< with which it stands
-    bool coloured = false;                  ///< in a style that is in force
+    std::vector<Colouring> colourings;      ///< in force there
 };
 
 /// One replacement while it is made.
@@ -107,7 +105,6 @@ class Replacer {
         for (const Task& task : tasks_) changes_.push_back(description(task));
         if (dropped_ > 0) changes_.push_back(counted(dropped_, "exception") + " below what was replaced removed");
         if (!options_.keep) remove_leftovers();
-        expect_drawable();
         return {std::move(result_), std::move(changes_)};
     }
 
@@ -129,7 +126,7 @@ class Replacer {
             throw InputError({}, "expected a symbol to replace, found '" + symbol + "', a command of the turtle");
         const std::vector<std::string> known = symbols_of(before_);
         if (std::ranges::count(known, symbol) == 0)
-            throw InputError({}, "expected a symbol of the grammar, found '" + symbol + "'" + instead_of(symbol, known));
+            throw InputError({}, "expected a symbol of the grammar, found '" + symbol + "'" + instead_of(symbol, before_));
         for (const Production& production : before_.productions) {
             if (!is_context(production, symbol)) continue;
             throw InputError(production.place, "expected a symbol that is no context, found " + symbol +
@@ -146,7 +143,8 @@ class Replacer {
         for (const Instance& instance : task.measured) {
             WrittenModule& module = task.modules[{instance.string, instance.position}];
             if (instance.measured) module.numbers.insert(instance.arguments);
-            module.coloured = module.coloured || instance.style != 0;
+            if (std::ranges::count(module.colourings, instance.colouring) == 0)
+                module.colourings.push_back(instance.colouring);
         }
     }
 
@@ -224,7 +222,12 @@ class Replacer {
         }
         if (!seat) seat = seat_of_unmeasured(task, module);
         note_scale(task, *seat);
-        return seated(content_string(task.content, module), *seat, written.coloured && task.content.foreign, last);
+        return seated(content_string(task.content, module), *seat, taken_back(task, written.colourings), last);
+    }
+
+    /// What comes from elsewhere keeps its own colours.
+    ModuleTemplates taken_back(const Task& task, const std::vector<Colouring>& colourings) const {
+        return task.content.foreign && !options_.restyle ? without_colouring(colourings) : ModuleTemplates{};
     }
 
     const Seat& seat_for(Task& task, const std::vector<double>& arguments) {
@@ -262,9 +265,9 @@ class Replacer {
                                            [&](const std::string& wanted) { return std::ranges::count(known, wanted) > 0; });
         const std::vector<std::string> parameters = parameter_names(old, count);
         std::set<std::vector<double>> sets;
-        bool coloured = false;
+        std::vector<Colouring> colourings;
         for (const auto& [place, module] : task.modules) {
-            coloured = coloured || module.coloured;
+            colourings.insert(colourings.end(), module.colourings.begin(), module.colourings.end());
             for (const std::vector<double>& numbers : module.numbers) {
                 if (numbers.size() == count) sets.insert(numbers);
             }
@@ -275,7 +278,7 @@ class Replacer {
             Production production{.symbol = name, .parameters = parameters};
             if (numbers != *sets.rbegin()) production.condition = equals(parameters, numbers);
             const ModuleTemplates content = content_string(task.content, with_arguments(old, numbers));
-            production.successor = seated(content, seat, coloured && task.content.foreign, false);
+            production.successor = seated(content, seat, taken_back(task, colourings), false);
             result_.productions.push_back(std::move(production));
         }
         return name;
@@ -335,7 +338,7 @@ class Replacer {
         note_scale(task, seat);
         const ModuleTemplate module = with_arguments(task.replacement->symbol, instance.arguments);
         const ModuleTemplates part =
-            seated(content_string(task.content, module), seat, instance.style != 0 && task.content.foreign, false);
+            seated(content_string(task.content, module), seat, taken_back(task, {instance.colouring}), false);
         if (instance.string.kind != StringPlace::Kind::exception) {
             result_.exceptions.push_back({.address = instance.address, .successor = part});
             return;
@@ -396,11 +399,6 @@ class Replacer {
         throw InputError(production.place, "expected something that does not draw " + symbol + " itself in the place of " +
                                                symbol + ", found " + label + ": its " + production.symbol +
                                                " would hold itself without end; take a copy, FILE.lsys#" + label);
-    }
-
-    void expect_drawable() const {
-        visit_placements(options_.resolve ? options_.resolve(result_) : result_, {.derive = options_.derive},
-                         [](const Placement&) {});
     }
 
     std::string description(const Task& task) const {

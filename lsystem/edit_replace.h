@@ -44,6 +44,7 @@ struct ReplaceOptions {
     ReplaceFit fit = ReplaceFit::inside;
     double turn = 0;                   ///< degrees counter-clockwise, before the fit
     std::vector<std::vector<int>> at;  ///< addresses; only what stands there is replaced, by exceptions. Empty = everywhere
+    bool restyle = false;              ///< paint what comes from elsewhere in the style that is in force where it is put
     bool keep = false;                 ///< keep what nothing uses any more
     DeriveOptions derive;              ///< how far symbols are expanded when they are measured
     std::function<Grammar(const Grammar&)> resolve;  ///< resolves `use`, if the grammar has any

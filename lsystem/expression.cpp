@@ -7,6 +7,7 @@
 
 #include "lsystem/expression_functions.h"
 #include "lsystem/number_text.h"
+#include "lsystem/similar_name.h"
 
 namespace rinceau {
 
@@ -179,7 +180,10 @@ class Parser {
             return;
         }
         const ExpressionFunction* function = find_expression_function(name);
-        if (function == nullptr) fail_at(start, "expected a function such as sin, sqrt or min, found '" + name + "'");
+        if (function == nullptr) {
+            fail_at(start, "expected a function such as sin, sqrt or min, found '" + name + "'" +
+                               did_you_mean(name, expression_function_names()));
+        }
         int count = 0;
         if (!take(")")) {
             do {

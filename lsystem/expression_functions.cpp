@@ -76,6 +76,12 @@ const ExpressionFunction* find_expression_function(std::string_view name) {
     return found == functions.end() ? nullptr : found;
 }
 
+std::vector<std::string_view> expression_function_names() {
+    std::vector<std::string_view> names;
+    for (const ExpressionFunction& function : functions) names.push_back(function.name);
+    return names;
+}
+
 std::optional<double> named_constant(std::string_view name) {
     if (name == "pi") return pi;
     if (name == "e") return std::numbers::e;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace rinceau {
 
@@ -21,6 +22,8 @@ constexpr int max_function_arguments = 64;
 
 /// nullptr if there is no function of that name.
 const ExpressionFunction* find_expression_function(std::string_view name);
+
+std::vector<std::string_view> expression_function_names();
 
 /// pi, e.
 std::optional<double> named_constant(std::string_view name);

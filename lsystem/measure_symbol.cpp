@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "lsystem/interpret.h"
 #include "lsystem/to_scene.h"
 
 namespace rinceau {
@@ -79,7 +78,7 @@ Measure measure(const Grammar& grammar, const ModuleTemplates& string, const Der
     Measure result;
     if (last != placements.end()) {
         result.move = last->pose;
-        result.style = last->style;
+        result.colouring = {last->style, last->repaint};
         result.layer = last->layer;
         placements.erase(last);
     }
@@ -95,20 +94,20 @@ std::vector<Instance> find_instances(const Grammar& grammar, const std::string& 
     still.terminals.push_back({.symbol = symbol});
     const int terminal = static_cast<int>(still.terminals.size()) - 1;
 
-    std::vector<Placement> placements = interpret(still, {.derive = options, .addresses = true, .trails = true});
-    std::erase_if(placements, [&](const Placement& placement) { return placement.terminal != terminal; });
-    std::ranges::sort(placements, {}, &Placement::order);
-    const std::vector<std::vector<double>> arguments = arguments_in_order(still, symbol, options);
-
     std::vector<Instance> instances;
-    for (std::size_t i = 0; i < placements.size(); ++i) {
-        Placement& placement = placements[i];
+    const auto visit = [&](const Placement& placement) {
+        if (placement.terminal != terminal) return;
         Instance instance{.string = string_of(grammar, placement), .position = placement.trail.back().position};
-        instance.address = std::move(placement.address);
-        instance.measured = arguments.size() == placements.size();
-        if (instance.measured) instance.arguments = arguments[i];
-        instance.style = placement.style;
+        instance.address = placement.address;
+        instance.colouring = {placement.style, placement.repaint};
         instances.push_back(std::move(instance));
+    };
+    visit_placements(still, {.derive = options, .addresses = true, .trails = true}, visit);
+
+    std::vector<std::vector<double>> arguments = arguments_in_order(still, symbol, options);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        instances[i].measured = arguments.size() == instances.size();
+        if (instances[i].measured) instances[i].arguments = std::move(arguments[i]);
     }
     return instances;
 }

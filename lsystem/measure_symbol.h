@@ -9,13 +9,21 @@
 #include "lsystem/derive.h"
 #include "lsystem/grammar.h"
 #include "lsystem/grammar_names.h"
+#include "lsystem/interpret.h"
 
 namespace rinceau {
 
+/// What decides on the paints of terminals besides their own styles.
+struct Colouring {
+    int style = 0;
+    Repaint repaint;
+    friend constexpr bool operator==(const Colouring&, const Colouring&) = default;
+};
+
 struct Measure {
     Box box;  ///< of outlines with half their stroke's width, in the turtle's frame before the string; empty = draws nothing
-    Similarity move;  ///< from the turtle's frame before the string to that behind it
-    int style = 0;    ///< in force behind it
+    Similarity move;      ///< from the turtle's frame before the string to that behind it
+    Colouring colouring;  ///< in force behind it
     int layer = 0;
     int outlines = 0;
 };
@@ -41,8 +49,8 @@ struct Instance {
     std::vector<int> address;
     std::vector<double> arguments;
     bool measured =
-        true;       ///< false: it stands in the drawing only (a homomorphism has put it there), its arguments are unknown
-    int style = 0;  ///< in force before it
+        true;  ///< false: it stands in the drawing only (a homomorphism has put it there), its arguments are unknown
+    Colouring colouring;  ///< in force before it
 };
 
 /// Where `symbol` stands in the derivation of a grammar when no symbol of `stopped` is rewritten (`symbol` is one of them),

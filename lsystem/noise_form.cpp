@@ -76,4 +76,47 @@ bool is_random(const Expression& expression) {
     });
 }
 
+namespace {
+
+/// The argument of a command that is noise and nothing else; the deviation is a number in `deviation_at`.
+struct CommandForm {
+    NoiseCommand noise;
+    const char* symbol;
+    Nodes nodes;
+    std::size_t deviation_at;
+};
+
+std::array<CommandForm, 4> command_forms() {
+    const Nodes angle{number(0), number(0), call("normal", 2)};
+    const Nodes scale{number(0), number(0), call("normal", 2), call("exp", 1)};
+    const Nodes inverse{number(1), number(0), number(0), call("normal", 2), call("exp", 1), operation(Op::divide)};
+    return {
+        CommandForm{{NoiseKind::angle, 0, false}, "+", angle, 1}, CommandForm{{NoiseKind::angle, 0, true}, "-", angle, 1},
+        CommandForm{{NoiseKind::scale, 0, false}, "*", scale, 1}, CommandForm{{NoiseKind::scale, 0, true}, "*", inverse, 2}};
+}
+
+}  // namespace
+
+ModuleTemplate noise_command(const NoiseCommand& noise) {
+    for (CommandForm form : command_forms()) {
+        if (form.noise.kind != noise.kind || form.noise.bracketed != noise.bracketed) continue;
+        form.nodes[form.deviation_at].number = noise.deviation;
+        return {form.symbol, {Expression{form.nodes}}, {}};
+    }
+    return {};
+}
+
+std::optional<NoiseCommand> find_noise_command(const ModuleTemplate& module) {
+    if (module.arguments.size() != 1) return {};
+    const Nodes& nodes = module.arguments.front().postfix;
+    for (CommandForm form : command_forms()) {
+        if (module.symbol != form.symbol || nodes.size() != form.nodes.size()) continue;
+        if (nodes[form.deviation_at].op != Op::number) continue;
+        form.noise.deviation = nodes[form.deviation_at].number;
+        form.nodes[form.deviation_at].number = form.noise.deviation;
+        if (nodes == form.nodes) return form.noise;
+    }
+    return {};
+}
+
 }  // namespace rinceau

@@ -1,10 +1,13 @@
 #pragma once
-// The forms in which noise is written into an expression, and found there again: a + normal(0, s) for angles,
-// d*(1 + normal(0, s)) for distances, k*exp(normal(0, s)) for scales. Internal to the folder.
+// The forms in which noise is written into a grammar, and found there again. In an expression: a + normal(0, s) for angles,
+// d*(1 + normal(0, s)) for distances, k*exp(normal(0, s)) for scales. As a command of its own, where nothing is turned or
+// scaled yet: +(normal(0, s)), *(exp(normal(0, s))), and the other way round, -(normal(0, s)), *(1/exp(normal(0, s))), where
+// brackets came with it. Internal to the folder.
 
 #include <optional>
 
 #include "lsystem/expression.h"
+#include "lsystem/grammar.h"
 
 namespace rinceau {
 
@@ -28,5 +31,15 @@ Expression without_noise(const Expression& expression);
 
 /// Does it draw random numbers?
 bool is_random(const Expression& expression);
+
+/// A command that is noise and nothing else.
+struct NoiseCommand {
+    NoiseKind kind = NoiseKind::angle;  ///< angle or scale
+    double deviation = 0;
+    bool bracketed = false;  ///< brackets about it and the next symbol came with it
+};
+
+ModuleTemplate noise_command(const NoiseCommand& noise);
+std::optional<NoiseCommand> find_noise_command(const ModuleTemplate& module);
 
 }  // namespace rinceau

@@ -5,6 +5,7 @@
 // "bay" for a constant. It depends on the symbols about it, not on any value: setting a number, or changing other
 // productions, renames nothing.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,11 @@ struct GrammarNumber {
     bool whole = false;
     double low = 0, high = 0;  ///< range of values that make sense; both may be infinite
     NumberRank rank = NumberRank::detail;
-    std::vector<NumberSlot> slots;   ///< setting the number writes all of them
-    std::vector<std::string> parts;  ///< a number of several that differ: setting it sets these instead
-    std::string written;             ///< the expression, where it is more than a number
-    int constant = -1;               ///< index of the constant that it is written as; -1 = none
+    std::vector<NumberSlot> slots;         ///< setting the number writes all of them
+    std::vector<std::string> parts;        ///< a number of several that differ: setting it sets these instead
+    std::string written;                   ///< the expression, where it is more than a number
+    int constant = -1;                     ///< index of the constant that it is written as; -1 = none ..
+    std::optional<ExpressionPlace> alias;  ///< .. and where the constant's name stands
 };
 
 /// All numbers of the grammar, those of rank `hidden` too, which are other ways to say what others say. The order is that of

@@ -22,7 +22,8 @@ constexpr std::size_t longest_found = 40;  // enough to recognise it
 
 /// Every name in front of "->".
 void add_names(std::string_view text, std::set<std::string>& names) {
-    text = text.substr(0, text.find("->"));
+    constexpr std::size_t far_enough = 10000;  // a longer statement is no production
+    text = text.substr(0, std::min(text.find("->"), far_enough));
     for (std::size_t start = 0; start < text.size();) {
         std::size_t end = start;
         while (end < text.size() && continues_name(text[end])) ++end;
@@ -87,7 +88,9 @@ void parse_define(Scanner& scanner, ParseState& state) {
     Constant constant;
     constant.place = scanner.place();
     constant.name = scanner.name("the name of a constant");
+    state.spoilt.insert(constant.name);
     scanner.expect("=");
+    state.spoilt.erase(constant.name);
     constant.value = scanner.expression_until("");
     constant.comment = scanner.statement().comment;
     if (once(scanner, state, "define " + constant.name, constant.place))

@@ -5,8 +5,8 @@
 #include "lsystem/drawing_terminals.h"
 #include "lsystem/measure_symbol.h"
 #include "lsystem/merge_grammar.h"
-#include "lsystem/near_name.h"
 #include "lsystem/turtle_commands.h"
+#include "lsystem/unfolded_exceptions.h"
 
 namespace rinceau {
 
@@ -80,7 +80,8 @@ class ContentMaker {
     /// The axiom becomes a production.
     Content whole(const OtherGrammar& other) {
         Content content;
-        take(merge_grammar(std::move(result_.grammar), other.grammar, other.grammar.axiom), content);
+        const Grammar plain = unfolded_exceptions(other.grammar);
+        take(merge_grammar(std::move(result_.grammar), plain, plain.axiom), content);
         content.string = {own_production(other.name, std::move(content.string))};
         return content;
     }
@@ -143,7 +144,7 @@ class ContentMaker {
         for (const ModuleTemplate& module : string) {
             if (is_command(module) || std::ranges::count(known, module.symbol) > 0) continue;
             throw InputError({}, "expected a symbol of the grammar in '" + label + "', found '" + module.symbol + "'" +
-                                     instead_of(module.symbol, known));
+                                     instead_of(module.symbol, grammar));
         }
         if (!is_one_symbol(string)) return content;
         content.arities = arities_of(grammar, string.front().symbol);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <optional>
 
 namespace rinceau {
 
@@ -19,15 +21,25 @@ constexpr double rounding = 1e-12;  // of a turtle's way, in its length
 constexpr double visible = 1e-5;    // of a fit, in the size of a thing
 
 bool same_move(const Measure& a, const Measure& b, double size) {
-    return near(a.move, b.move, size, rounding) && a.style == b.style && a.layer == b.layer;
+    return near(a.move, b.move, size, rounding) && a.colouring == b.colouring && a.layer == b.layer;
 }
 
 ModuleTemplates move_modules(const Seat& seat) {
     if (same_move(seat.old, Measure{}, seat.size)) return {};
     ModuleTemplates string = turtle_modules(seat.old.move, seat.size, exact_digits);
-    const auto number = [](int value) { return std::vector<Expression>{number_expression(value)}; };
-    if (seat.old.style != 0) string.push_back({";", number(seat.old.style), {}});
-    if (seat.old.layer != 0) string.push_back({"z", number(seat.old.layer), {}});
+    const auto numbers = [](std::initializer_list<int> values) {
+        std::vector<Expression> expressions;
+        for (const int value : values) expressions.push_back(number_expression(value));
+        return expressions;
+    };
+    const auto paint = [&](const char* command, const std::optional<Color>& color) {
+        if (color) string.push_back({command, numbers({color->red, color->green, color->blue}), {}});
+    };
+    const Colouring& colouring = seat.old.colouring;
+    if (colouring.style != 0) string.push_back({";", numbers({colouring.style}), {}});
+    paint("fill", colouring.repaint.fill);
+    paint("stroke", colouring.repaint.stroke);
+    if (seat.old.layer != 0) string.push_back({"z", numbers({seat.old.layer}), {}});
     return string;
 }
 
@@ -108,11 +120,20 @@ bool same_seat(const Seat& a, const Seat& b) {
            a.same_move == b.same_move;
 }
 
-ModuleTemplates seated(const ModuleTemplates& content, const Seat& seat, bool own_colours, bool last) {
+ModuleTemplates without_colouring(const std::vector<Colouring>& in_force) {
+    ModuleTemplates string;
+    const auto any = [&](auto is_in_force) { return std::ranges::any_of(in_force, is_in_force); };
+    if (any([](const Colouring& one) { return one.style != 0; })) string.push_back({";", {number_expression(0)}, {}});
+    if (any([](const Colouring& one) { return one.repaint.fill.has_value(); })) string.push_back({"fill", {}, {}});
+    if (any([](const Colouring& one) { return one.repaint.stroke.has_value(); })) string.push_back({"stroke", {}, {}});
+    return string;
+}
+
+ModuleTemplates seated(const ModuleTemplates& content, const Seat& seat, const ModuleTemplates& before, bool last) {
     ModuleTemplates body;
     if (!content.empty()) {
         body = turtle_modules(seat.map, seat.size);
-        if (own_colours) body.push_back({";", {number_expression(0)}, {}});
+        append(body, before);
     }
     const bool bare = body.empty();
     append(body, content);

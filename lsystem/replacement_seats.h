@@ -51,8 +51,11 @@ Seat seat_of(const Grammar& grammar, const Content& content, const ModuleTemplat
 /// Seats that differ by less than can be seen.
 bool same_seat(const Seat& a, const Seat& b);
 
-/// What is written in the place of a module. own_colours: no style that is in force counts. last: nothing behind the module
-/// depends on the turtle.
-ModuleTemplates seated(const ModuleTemplates& content, const Seat& seat, bool own_colours, bool last);
+/// The commands that take back what is in force: `;(0) fill stroke`, as far as needed.
+ModuleTemplates without_colouring(const std::vector<Colouring>& in_force);
+
+/// What is written in the place of a module: `before`, then the content. last: nothing behind the module depends on the
+/// turtle.
+ModuleTemplates seated(const ModuleTemplates& content, const Seat& seat, const ModuleTemplates& before, bool last);
 
 }  // namespace rinceau

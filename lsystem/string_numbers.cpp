@@ -6,7 +6,7 @@
 
 #include "lsystem/approach_roles.h"
 #include "lsystem/expression_numbers.h"
-#include "lsystem/number_text.h"
+#include "lsystem/noise_form.h"
 #include "lsystem/turtle_commands.h"
 
 namespace rinceau {
@@ -127,7 +127,27 @@ class StringNumbers {
             for (std::size_t k = before; k < result_.size() && said_otherwise; ++k)
                 if (result_[k].name == where.path + '.' + command.role) result_[k].rank = NumberRank::hidden;
         }
+        for (const int position : approach.commands)
+            if (const auto noise = find_noise_command(string[at(position)])) add_noise(*noise, string, position, where);
         add_whole_turns(string, roles, where);
+    }
+
+    void add_noise(const NoiseCommand& noise, const std::vector<ModuleTemplate>& string, int position, const Where& where) {
+        const auto& nodes = string[at(position)].arguments.front().postfix;
+        // normal(0, deviation): the deviation stands right before the call
+        const auto call = std::ranges::find(nodes, std::string("normal"), &Expression::Node::name);
+        const int deviation_at = static_cast<int>(call - nodes.begin()) - 1;
+        GrammarNumber number;
+        const bool angle = noise.kind == NoiseKind::angle;
+        set_kind(number, angle ? NumberKind::angle : NumberKind::scale);
+        number.name = where.path + (angle ? ".angle_noise" : ".scale_noise");
+        number.help = "standard deviation of the noise of each " + where.target;
+        number.rank = NumberRank::rule;
+        number.value = noise.deviation;
+        number.low = 0;
+        const ExpressionPlace place = place_of(where, {position, 0, 1}, deviation_at, deviation_at + 1);
+        number.slots = {{NumberSlot::In::expression, place, 0, 1, 0}};
+        result_.push_back(std::move(number));
     }
 
     struct Written {
@@ -166,6 +186,7 @@ class StringNumbers {
         } else if (found.part == NumberInExpression::Part::noise) {
             number.name += "_noise";
             number.help = "standard deviation of the noise: " + number.help;
+            number.rank = NumberRank::rule;
             number.low = 0;
             number.value = sign * number.value;
             number.slots.front().slope = 1;
@@ -254,6 +275,7 @@ void describe_written(const Grammar& grammar, const Expression& expression, Gram
     number.constant = constant_behind(grammar, expression);
     if (number.constant < 0 || number.slots.size() != 1) return;
     NumberSlot& slot = number.slots.front();
+    number.alias = slot.place;
     const Expression& value = grammar.constants[at(number.constant)].value;
     slot.place = {ExpressionPlace::In::constant, number.constant, {}, 0, 0, 0, static_cast<int>(value.postfix.size())};
     number.rank = NumberRank::hidden;

@@ -67,6 +67,18 @@ bool is_inside(const SvgNode* node, const std::unordered_set<const SvgNode*>& el
 
 }  // namespace
 
+IdsByRules ids_by_rules(std::string_view document, std::span<const std::string> ids, const SvgReadOptions& options) {
+    const SvgTree tree = parse_svg_tree(svg_source_text(document, source_options(options)), source_options(options));
+    IdsByRules result;
+    for (const std::string& id : ids) {
+        bool found = false;
+        for (const SvgNode* up = tree.find(id); up != nullptr && !found; up = up->parent)
+            found = find_attribute(*up, rules_group_attribute) != nullptr;
+        (found ? result.with_rules : result.others).push_back(id);
+    }
+    return result;
+}
+
 SvgReplacement::SvgReplacement(std::string_view document, std::span<const std::string> ids, const SvgReadOptions& options)
     : state_(std::make_unique<State>()) {
     State& state = *state_;

@@ -20,6 +20,12 @@ struct SvgReplacementContent {
     std::string label;  ///< of the group, in the editor's list of objects
 };
 
+/// Which of the ids are of, or inside, a group that a replacement has put into a document.
+struct IdsByRules {
+    std::vector<std::string> with_rules, others;
+};
+IdsByRules ids_by_rules(std::string_view document, std::span<const std::string> ids, const SvgReadOptions& options = {});
+
 class SvgReplacement {
   public:
     /// Selects by ids as svg_selection.h says; without any, everything on the page that is neither locked nor hidden.

@@ -78,6 +78,7 @@ TEST_CASE("In every sample the rules that a person sees are found") {
     CHECK(expected.size() == all_samples(".svg").size());
     for (const Json& row : expected) {
         CAPTURE(row["file"]);
+        if (row.contains("chance")) continue;
         const Json report = report_of(sample(row["file"]));
         CHECK(report["elements"] == row["elements"]);
         CHECK(report["terminals"].size() == row["terminals"]);

@@ -1,4 +1,5 @@
-// Irregular drawings give the rules of the regular ones (Stava et al. 2010, figure 10, with jitter), and are drawn as they are.
+// Irregular drawings give the rules of the regular ones (Stava et al. 2010, figure 10, with jitter), and are drawn as they
+// are.
 
 #include <catch2/catch.hpp>
 
@@ -11,7 +12,8 @@
 using namespace rinceau;
 using namespace rinceau::test;
 
-TEST_CASE("Drawings jittered by up to a fifth of their spacing give the rules of the regular ones and come back as they are") {
+TEST_CASE(
+    "Drawings jittered by up to a fifth of their spacing give the rules of the regular ones and come back as they are") {
     const auto [name, largest] = GENERATE(table<std::string, double>({{"fig10_facade", 0.20},
                                                                       {"grid_12x15", 0.20},
                                                                       {"ring_12", 0.10},
@@ -45,6 +47,22 @@ TEST_CASE("Symmetrized, a drawing is at most a third as far from what was meant"
     // The report says by how much the drawing differs.
     CHECK(found.report.check.rms_deviation * drawing_diagonal(scene.drawn) ==
           Approx(rms_distance(scene.regular, scene.drawn)).epsilon(0.1));
+}
+
+TEST_CASE("Stochastic, a drawing becomes a family whose members differ from what was meant by as much as it does") {
+    const std::string name = GENERATE("fig10_facade", "grid_12x15", "circles_8x10");
+    CAPTURE(name);
+    const NoisyScene scene = noisy_scene(name, 0.10, 101);
+    const Analysis found = analyze(scene.drawn, {.stochastic = true});
+    CHECK(rules_in_words(found.report) == scene.rules);
+    CHECK(found.grammar.exceptions.empty());
+    CHECK(found.report.check.passed);
+    const double drawn = rms_distance(scene.regular, scene.drawn);
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Scene relative = to_scene(found.grammar, interpret(found.grammar, {.derive = {.seed = seed}}));
+        CHECK(relative.elements.size() == scene.regular.elements.size());
+        CHECK(rms_distance(scene.regular, drawn_in_order_of(scene.regular, relative)) == Approx(drawn).epsilon(0.25));
+    }
 }
 
 TEST_CASE("What stands nowhere in particular is in no row and no ring") {

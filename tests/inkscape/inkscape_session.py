@@ -51,21 +51,22 @@ class Session:
             path.write_text(text)
         return path
 
-    def set_parameters(self, extension, **parameters):
-        """What the dialog of an extension was left with."""
-        values = ' '.join(f'org.rinceau.{extension}.{name}="{value}"' for name, value in parameters.items())
-        self.profile.mkdir(exist_ok=True)
+    def set_parameters(self, parameters):
+        """What the dialogs were left with: {'randomize.seed': 7}."""
+        values = ' '.join(f'org.rinceau.{name}="{value}"' for name, value in parameters.items())
         (self.profile / 'preferences.xml').write_text(
             '<inkscape xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" version="1">'
             f'<group id="extensions" {values}/></inkscape>')
 
-    def act(self, document, *actions):
-        """The document after the actions."""
-        result = self.folder / ('out' + document.name)
-        subprocess.run(['inkscape', str(document), '--batch-process',
-                        '--actions=' + ';'.join([*actions, f'export-filename:{result}', 'export-overwrite', 'export-do'])],
+    def act(self, document, *stages):
+        """The document after each stage; a stage is a list of actions. One run of Inkscape, which takes seconds to start."""
+        results, actions = [], []
+        for number, stage in enumerate(stages):
+            results.append(self.folder / f'{number}_{document.name}')
+            actions += [*stage, f'export-filename:{results[-1]}', 'export-overwrite', 'export-do']
+        subprocess.run(['inkscape', str(document), '--batch-process', '--actions=' + ';'.join(actions)],
                        env=self.environment, check=True, capture_output=True, timeout=120)
-        return result
+        return results
 
     def picture(self, document, width=500):
         """By librsvg, as an array of pixels over white."""

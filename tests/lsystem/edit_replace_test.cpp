@@ -299,6 +299,17 @@ TEST_CASE("Parts of another grammar come along under names that do not clash, an
     }
 }
 
+TEST_CASE("The exceptions of another grammar come along with all of it") {
+    const Grammar donor = grammar_of(
+        "axiom: Row(4)\nRow(m) : m > 0 -> [Tick] f(3) Row(m-1)\nexcept 1.2 -> *(2) Tick\nexcept 1.3 ->\n"
+        "terminal Tick: path \"M-1 -1H1V1H-1Z\"\n");
+    const EditResult result =
+        replace_symbols(grammar_of(windows), {{"Door", OtherGrammar{donor, {}, "Ticks"}, "ticks.lsys"}});
+    const auto ticks = placements_of(result.grammar, "Tick");
+    REQUIRE(ticks.size() == 3);
+    CHECK(scale_of(ticks[1].pose) == Approx(2 * scale_of(ticks[0].pose)));
+}
+
 TEST_CASE("A copy of a symbol may hold what it draws itself") {
     const Grammar before = grammar_of(windows);
     const EditResult result = replace_symbols(
@@ -312,6 +323,11 @@ TEST_CASE("A style in force does not colour what comes from elsewhere") {
     const EditResult result = replace_symbols(grammar_of(text), {drawing("Window", {outline({{0, 0}, {1, 1}}, {1, 2, 3})})});
     const Scene scene = to_scene(result.grammar, interpret(result.grammar));
     CHECK(std::get<Color>(scene.elements.at(0).style.fill) == Color{1, 2, 3});
+
+    const EditResult restyled =
+        replace_symbols(grammar_of(text), {drawing("Window", {outline({{0, 0}, {1, 1}}, {1, 2, 3})})}, {.restyle = true});
+    const Scene red = to_scene(restyled.grammar, interpret(restyled.grammar));
+    CHECK(std::get<Color>(red.elements.at(0).style.fill) == Color{255, 0, 0});
 }
 
 TEST_CASE("What nothing uses any more goes, unless it is kept or was never used") {
@@ -324,9 +340,9 @@ TEST_CASE("What nothing uses any more goes, unless it is kept or was never used"
 }
 
 TEST_CASE("Faults are named with their cure") {
-    CHECK_THAT(message_of(windows, {own("Windov", "Door")}), Contains("found 'Windov': did you mean 'Window'?"));
-    CHECK_THAT(message_of(windows, {own("Window", "door")}), Contains("found 'door': did you mean 'Door'?"));
-    CHECK_THAT(message_of(windows, {own("Zebra", "Door")}), Contains("there is Row, Window, Door"));
+    CHECK_THAT(message_of(windows, {own("Windov", "Door")}), Contains("found 'Windov' (did you mean 'Window'?)"));
+    CHECK_THAT(message_of(windows, {own("Window", "door")}), Contains("found 'door' (did you mean 'Door'?)"));
+    CHECK_THAT(message_of(windows, {own("Zebra", "Door")}), Contains("there are Row, Window, Door"));
     CHECK_THAT(message_of(windows, {own("f", "Door")}), Contains("a command of the turtle"));
     CHECK_THAT(message_of(windows, {drawing("Window", {})}), Contains("a drawing with something in it"));
     CHECK_THAT(message_of(windows, {own("Window", "Row")}), Contains("would hold itself without end"));
@@ -334,4 +350,52 @@ TEST_CASE("Faults are named with their cure") {
     CHECK_THAT(
         message_of("axiom: A [B]\nA < B -> [A]\nterminal A: path \"M0 0H1\"\nterminal B: path \"M0 0H1\"", {own("A", "B")}),
         Contains("a symbol that is no context"));
+}
+
+TEST_CASE("Colours in force do not paint what comes from elsewhere, and what the old thing left in force stays") {
+    const std::string text =
+        "axiom: fill(255, 0, 0) Pot Window\nPot -> Window fill(0, 0, 255)\n"
+        "terminal Window: path \"M-10 -20H10V0H-10Z\"\n";
+    const EditResult result = replace_symbols(grammar_of(text), {drawing("Pot", {outline({{0, 0}, {1, 1}}, {1, 2, 3})})});
+    const Scene scene = to_scene(result.grammar, interpret(result.grammar));
+    REQUIRE(scene.elements.size() == 2);
+    CHECK(std::get<Color>(scene.elements[0].style.fill) == Color{1, 2, 3});
+    CHECK(std::get<Color>(scene.elements[1].style.fill) == Color{0, 0, 255});
+}
+
+TEST_CASE("Random numbers elsewhere stay as they are") {
+    const std::string text =
+        "seed 3\naxiom: Row(5)\n"
+        "Row(m) : m > 0 -> [+(uniform(-9, 9)) Window] f(uniform(5, 9)) Post [f(normal(0, 3)) Door] f(uniform(10, 15)) "
+        "Row(m-1)\n"
+        "terminal Window: path \"M-10 -20H10V0H-10Z\"\nterminal Door: path \"M-5 -40H5V0H-5Z\"\n"
+        "terminal Post: path \"M-1 -40H1V0H-1Z\"\n";
+    const Grammar before = grammar_of(text);
+    for (const std::string with : {"", "Door", "[*(2) Door] Door"}) {
+        CAPTURE(with);
+        const EditResult result = replace_symbols(before, {own("Window", with), own("Post", with)});
+        std::vector<Placement> doors = placements_of(result.grammar, "Door");
+        const std::vector<Placement> old_doors = placements_of(before, "Door");
+        for (const Placement& old_door : old_doors) {
+            CHECK(std::ranges::any_of(doors, [&](const Placement& door) {
+                return abs(door.pose.translation - old_door.pose.translation) < 1e-9 &&
+                       abs(door.pose.linear - old_door.pose.linear) < 1e-9;
+            }));
+        }
+    }
+    CHECK_THAT(message_of("axiom: Path Door\nPath -> Door f(uniform(1, 2))\nterminal Door: path \"M-5 -40H5V0H-5Z\"",
+                          {own("Path", "Door")}),
+               Contains("found a way of random numbers"));
+}
+
+TEST_CASE("What only stands in the drawing is replaced, too") {
+    const std::string text =
+        "axiom: Bud f(9) Bud\nhomomorphism Bud -> [+(30) Window]\n"
+        "terminal Window: path \"M-10 -20H10V0H-10Z\"\nterminal Door: path \"M-5 -40H5V0H-5Z\"\n";
+    const Grammar before = grammar_of(text);
+    const EditResult result = replace_symbols(before, {own("Window", "Door")}, {.fit = ReplaceFit::none});
+    check_same_poses(placements_of(result.grammar, "Door"), placements_of(before, "Window"));
+    const EditResult buds = replace_symbols(before, {own("Bud", "Door")}, {.fit = ReplaceFit::none});
+    CHECK(placements_of(buds.grammar, "Door").size() == 2);
+    CHECK(buds.grammar.productions.empty());
 }

@@ -80,8 +80,8 @@ def compare(program, grammar, reader):
             share = largest_distance(wanted, found) / picture.diagonal()
         except Refused as refused:
             return Result(reason=str(refused))
-        except (Disagreement, subprocess.SubprocessError) as fault:
-            return Result(reason=str(fault), failed=True)
+        except Exception as fault:  # a reader that stumbles over a file has found a fault of the file
+            return Result(reason=f"{type(fault).__name__}: {fault}", failed=True)
         reason = f"{share:.3g} of the diagonal, more than {reader.LIMIT:g}"
         failed = not share <= reader.LIMIT
         return Result(share, len(wanted), reason if failed else "", failed, notes)
@@ -89,10 +89,10 @@ def compare(program, grammar, reader):
 
 def print_table(grammars, readers, results):
     width = max(len(grammar.stem) for grammar in grammars)
-    columns = [max(8, len(reader.FORMAT)) for reader in readers]
-    print(f"{'grammar':{width}}  elements  " + "  ".join(f"{r.FORMAT:>{c}}" for r, c in zip(readers, columns)))
+    columns = [max(8, len(reader.NAME)) for reader in readers]
+    print(f"{'grammar':{width}}  elements  " + "  ".join(f"{r.NAME:>{c}}" for r, c in zip(readers, columns)))
     for grammar in grammars:
-        row = [results[grammar, reader.FORMAT] for reader in readers]
+        row = [results[grammar, reader.NAME] for reader in readers]
         count = max((result.elements for result in row), default=0)
         print(f"{grammar.stem:{width}}  {count or '':>8}  " +
               "  ".join(f"{result.cell():>{c}}" for result, c in zip(row, columns)))
@@ -102,14 +102,14 @@ def print_table(grammars, readers, results):
 def print_reasons(grammars, readers, results):
     for reader in readers:
         for grammar in grammars:
-            result = results[grammar, reader.FORMAT]
+            result = results[grammar, reader.NAME]
             if result.reason:
-                print(f"{reader.FORMAT}, {grammar.stem}: {result.reason}")
+                print(f"{reader.NAME}, {grammar.stem}: {result.reason}")
     notes = {}
     for reader in readers:
         for grammar in grammars:
-            for note in results[grammar, reader.FORMAT].notes:
-                notes.setdefault((reader.FORMAT, note), []).append(grammar.stem)
+            for note in results[grammar, reader.NAME].notes:
+                notes.setdefault((reader.NAME, note), []).append(grammar.stem)
     for (name, note), stems in notes.items():
         print(f"{name} notes: {note} ({', '.join(stems)})")
 
@@ -125,6 +125,7 @@ def main():
     readers, absent = [], {}
     for name in options.formats.split(","):
         reader = importlib.import_module("readers." + name)
+        reader.NAME = name
         lack = reader.missing()
         if lack:
             absent[name] = lack
@@ -133,7 +134,7 @@ def main():
     pairs = [(grammar, reader) for grammar in grammars for reader in readers]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         found = pool.map(lambda pair: compare(options.rinceau, *pair), pairs)
-        results = {(grammar, reader.FORMAT): result for (grammar, reader), result in zip(pairs, found)}
+        results = {(grammar, reader.NAME): result for (grammar, reader), result in zip(pairs, found)}
     print_table(grammars, readers, results)
     print_reasons(grammars, readers, results)
     for name, lack in absent.items():

@@ -120,7 +120,7 @@ class Comparison:
     """Of what a format draws with what is wanted; gives pairs of corresponding points."""
 
     def __init__(self, picture, precision, colors=True, width_of=None, fills=True):
-        """precision: the format's, as a share of the diagonal; width_of(style width, scale) -> width as drawn."""
+        """fills: False where a fill without stroke is drawn as its outline. precision: the format's, as a share of the diagonal; width_of(style width, scale) -> width as drawn."""
         self.picture, self.colors, self.width_of, self.fills = picture, colors, width_of, fills
         self.precision = precision * picture.diagonal()
         self.outlines = [Outline(t["path"] or "") for t in picture.terminals]
@@ -159,6 +159,9 @@ class Comparison:
             parts = []
             if fill != "none" and self.fills:
                 parts.append(("fill", fill, None))
+            elif fill != "none" and (stroke == "none" or style["stroke_width"] <= 0):
+                paths = [closed(path) for path in paths if encloses(path)]
+                parts.append(("line", fill, None))
             if stroke != "none" and style["stroke_width"] > 0:
                 parts.append(("line", stroke, (style["stroke_width"], 1.0 if style.get("fixed") else scale)))
             if style.get("stroke_first"):
@@ -182,7 +185,7 @@ class Comparison:
                     else:  # the next sub-path begins where this one ends
                         drawn[at] = rest
             else:
-                rings = [path for path in paths if len(corners_of(path)) > 2 or len(path[0]) == 4]
+                rings = [path for path in paths if encloses(path)]
                 taken = []
                 while len(taken) < outlines_of(rings, rule):
                     found = self.next(drawn, at, Fill, key)
@@ -264,7 +267,7 @@ class Comparison:
             distance = np.hypot(*(corners[:, None, :] - every[None, :, :]).transpose(2, 0, 1))
             nearest = distance.argmin(axis=1)
             missing = distance[np.arange(len(corners)), nearest] > 1e-3 * size + self.precision
-            if missing.any() and not (rule == "nonzero" and missing.all()):
+            if missing.any() and not (rule == "nonzero" and missing.all() and surrounded(ring, rings)):
                 raise Disagreement(f"a corner of the filled {self.name(key)} is missing")
             if not missing.any():
                 want.append(corners)
@@ -304,6 +307,16 @@ class Comparison:
         return self.picture.terminals[key[0]]["symbol"]
 
 
+def encloses(path):
+    """A straight line encloses nothing that could be filled."""
+    return len(corners_of(path)) > 2 or len(path[0]) == 4
+
+
+def closed(path):
+    ends = np.array([path[-1][-1], path[0][0]])
+    return path if np.all(ends[0] == ends[1]) else path + [ends]
+
+
 def walk(wanted, corners, size, name):
     """Numbers of the corners that are the wanted points, one after the other."""
     places, at = [], 0
@@ -337,12 +350,16 @@ def covered(points, rings, rule):
     return total % 2 != 0 if rule == "evenodd" else total != 0
 
 
+def surrounded(ring, rings):
+    """Does the ring begin inside others?"""
+    return sum(winding(ring[0][:1], flat(other))[0] for other in rings if other is not ring) != 0
+
+
 def outlines_of(rings, rule):
     """How many polygons the filled area has: rings with the area inside and not outside, that do not cross."""
     flats = [flat(ring) for ring in rings]
     count = 0
     for ring in flats:
-        inner = ring.mean(axis=0)[None, :]
         middle = ring[:1]
         others = [other for other in flats if other is not ring]
         around = sum((winding(middle, other) for other in others), np.zeros(1, dtype=int))[0]
@@ -352,7 +369,6 @@ def outlines_of(rings, rule):
             count += depth % 2 == 0
         else:
             count += around == 0 and around + own != 0
-        del inner
     return count
 
 

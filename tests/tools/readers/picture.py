@@ -21,24 +21,27 @@ class Element:
 
 
 def path_points(data):
-    """End and control points of absolute path data with the commands M L H V C Z, n x 2."""
-    points, at = [], (0.0, 0.0)
-    for command, text in re.findall(r"([A-Za-z])([^A-Za-z]*(?:[eE][-+]?\d+[^A-Za-z]*)*)", data):
-        if command not in COUNTS:
+    """End and control points of path data with the commands M L H V C Z, absolute or relative, n x 2."""
+    points, at, start = [], (0.0, 0.0), (0.0, 0.0)
+    for command, text in re.findall(r"([A-DF-Za-df-z])([^A-DF-Za-df-z]*)", data):
+        if command.upper() not in COUNTS:
             raise Disagreement(f"path command {command} in {data[:60]}")
         numbers = [float(number) for number in NUMBER.findall(text)]
-        size = COUNTS[command]
+        size = COUNTS[command.upper()]
         if size == 0:
+            at = start
             continue
-        for start in range(0, len(numbers), size):
-            part = numbers[start:start + size]
-            if command == "H":
-                part = [part[0], at[1]]
-            elif command == "V":
-                part = [at[0], part[0]]
-            for k in range(0, len(part), 2):
-                points.append((part[k], part[k + 1]))
+        for first in range(0, len(numbers), size):
+            part = numbers[first:first + size]
+            x, y = at if command.islower() else (0.0, 0.0)
+            if command in "Hh":
+                part, x, y = [part[0] + x, at[1]], 0.0, 0.0
+            elif command in "Vv":
+                part, x, y = [at[0], part[0] + y], 0.0, 0.0
+            points += [(part[k] + x, part[k + 1] + y) for k in range(0, len(part), 2)]
             at = points[-1]
+            if command in "Mm" and first == 0:
+                start = at
     return np.array(points, dtype=float).reshape(-1, 2)
 
 

@@ -1,12 +1,13 @@
 """SVG with clones: every leaf element and <use> that is drawn, with its transforms multiplied out."""
 import xml.etree.ElementTree as tree
+import math
 import re
 
 from .picture import Disagreement, Element, path_points, placed, product
 
 FORMAT = "svg"
 ENDING = ".svg"
-LIMIT = 1e-6  # numbers in the file are rounded to 1e-7 of the picture
+LIMIT = 1e-9  # numbers in the file are rounded to 1e-11 of the picture
 
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}href"
@@ -28,6 +29,11 @@ def matrix_of(node):
             step = [1, 0, 0, 1, numbers[0], numbers[1] if len(numbers) > 1 else 0]
         elif name == "scale":
             step = [numbers[0], 0, 0, numbers[-1], 0, 0]
+        elif name == "rotate":
+            angle = math.radians(numbers[0])
+            x, y = numbers[1:] or (0, 0)
+            about = [math.cos(angle), math.sin(angle), -math.sin(angle), math.cos(angle), 0, 0]
+            step = product(product([1, 0, 0, 1, x, y], about), [1, 0, 0, 1, -x, -y])
         else:
             raise Disagreement(f"transform {name}")
         total = product(total, step)

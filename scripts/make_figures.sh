@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Runs the commands of docs/gallery.md and puts what they make where it belongs: grammars and drawings of the paper's figures
+# into samples/figures, pictures into docs/images/gallery.
+#   scripts/make_figures.sh [PROGRAM]
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+rinceau=${1:-$root/build/release/cli/rinceau}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+/usr/bin/python3 "$root/scripts/run_commands.py" "$rinceau" "$root/docs/gallery.md" "$work"
+mkdir -p "$root/docs/images/gallery" "$root/samples/figures"
+rm -f "$root"/docs/images/gallery/*.svg "$root"/samples/figures/fig*
+mv "$work"/fig*.lsys "$work"/fig*.svg "$root/samples/figures/"
+mv "$work"/*.svg "$root/docs/images/gallery/"

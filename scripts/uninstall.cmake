@@ -1,0 +1,10 @@
+# Removes what an installation has put somewhere.  cmake -D MANIFEST=<install_manifest.txt> -P uninstall.cmake
+if(NOT EXISTS "${MANIFEST}")
+  message(FATAL_ERROR "Nothing was installed from here: there is no ${MANIFEST}")
+endif()
+file(STRINGS "${MANIFEST}" files)
+foreach(file IN LISTS files)
+  file(REMOVE "$ENV{DESTDIR}${file}")
+  message(STATUS "Removed: $ENV{DESTDIR}${file}")
+endforeach()
+file(REMOVE "${MANIFEST}")

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""gallery_test.py PROGRAM SOURCE_FOLDER: the commands that the gallery and other pages show run and make what is shown."""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+SOURCE = pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "scripts"))
+from run_commands import run  # noqa: E402
+
+MOST_BYTES = 130_000  # of a picture; most are below 40,000
+OTHER_PAGES = ["docs/replace.md"]
+
+
+def squeezed(text):
+    return re.sub(r"\s+", " ", text)
+
+
+def pictures(page):
+    """The files that a page shows, in the source folder."""
+    names = re.findall(r'<img src="([^"]+)"', page) + re.findall(r"!\[[^]]*\]\(([^)]+)\)", page)
+    return [(SOURCE / "docs" / name).resolve() for name in names]
+
+
+def expect_made(folder, shown):
+    """Every picture is there, small, and what the commands make."""
+    for picture in shown:
+        assert picture.exists(), "%s is shown and missing" % picture
+        assert picture.stat().st_size < MOST_BYTES, "%s is too large" % picture
+        if picture.parent == SOURCE / "samples":
+            continue  # drawn from its grammar: samples_test
+        made = folder / picture.name
+        assert made.exists(), "no command makes %s" % picture.name
+        assert made.read_bytes() == picture.read_bytes(), "%s is not what its commands make: scripts/make_figures.sh" % picture
+
+
+def expect_rules(folder, page):
+    """Every rule shown is one of the grammars that the commands below it make."""
+    for section in re.split(r"^### ", page, flags=re.MULTILINE)[1:]:
+        names = [folder / name for name in re.findall(r"-o (\S+\.lsys)", section)]
+        made = squeezed(" ".join(name.read_text(encoding="utf-8") for name in names))
+        for block in re.findall(r"^```lsys\n(.*?)^```", section, re.MULTILINE | re.DOTALL):
+            for rule in block.splitlines():
+                assert squeezed(rule) in made, "not found: " + rule
+
+
+def expect_committed(folder):
+    """What the figures' commands made is what samples/figures holds."""
+    figures = SOURCE / "samples" / "figures"
+    for name in sorted(figures.glob("fig*")):
+        assert (folder / name.name).read_bytes() == name.read_bytes(), "%s is not what its commands make" % name
+    for name in sorted(folder.glob("fig*.lsys")):
+        assert (figures / name.name).exists(), "%s is missing in samples/figures: scripts/make_figures.sh" % name.name
+
+
+def expect_every_sample(page):
+    for drawing in sorted((SOURCE / "samples").glob("*.svg")):
+        assert "samples/%s" % drawing.name in page, "%s is not in the gallery" % drawing.name
+
+
+def main(program):
+    page = (SOURCE / "docs/gallery.md").read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        lines = run(program, SOURCE / "docs/gallery.md", folder)
+        print("%d commands, %d pictures" % (len(lines), len(pictures(page))))
+        expect_made(folder, pictures(page))
+        expect_rules(folder, page)
+        expect_committed(folder)
+        expect_every_sample(page)
+    for other in OTHER_PAGES:
+        with tempfile.TemporaryDirectory() as folder:
+            print("%s: %d commands" % (other, len(run(program, SOURCE / other, folder))))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
