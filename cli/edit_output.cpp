@@ -54,12 +54,20 @@ void add_edit_options(CLI::App& verb, EditFiles& files) {
         ->type_name("FILE");
 }
 
-Grammar read_for_edit(const EditFiles& files) {
+void expect_edit_output(const EditFiles& files) {
     const FileFormat format = format_of(files.output, FileFormat::lsys);
     if (format == FileFormat::unknown || format == FileFormat::json || format == FileFormat::csv)
         throw CLI::ValidationError("-o",
                                    "expected a name that ends in .lsys, .svg, .png or .pdf, found '" + files.output + "'");
     expect_writable(files.output);
+}
+
+void write_grammar_or_picture(const Grammar& grammar, const EditFiles& files) {
+    write_output(files.output, output_bytes(grammar, files));
+}
+
+Grammar read_for_edit(const EditFiles& files) {
+    expect_edit_output(files);
     return read_grammar_as_written(files.input);
 }
 
@@ -67,8 +75,7 @@ void write_edit(const Grammar& before, EditResult edit, const EditFiles& files) 
     ProgressBar bar;
     const EditResult checked =
         checked_edit(before, std::move(edit), {.derive = files.derive, .for_drawing = for_drawing}, bar.callback());
-    const std::string bytes = output_bytes(checked.grammar, files);
-    write_output(files.output, bytes);
+    write_grammar_or_picture(checked.grammar, files);
     for (const std::string& change : checked.changes) say(change);
     if (checked.changes.empty()) say("nothing is different");
 }

@@ -21,6 +21,12 @@ struct EditFiles {
 /// RULES, -o, and the options of derivation.
 void add_edit_options(CLI::App& verb, EditFiles& files);
 
+/// Throws CLI::ValidationError or OutputError if the output's name is none.
+void expect_edit_output(const EditFiles& files);
+
+/// By the output's ending.
+void write_grammar_or_picture(const Grammar& grammar, const EditFiles& files);
+
 /// The grammar as it is written. Throws as read_input() and parse_grammar(), and CLI::ValidationError or OutputError if the
 /// output's name is none.
 Grammar read_for_edit(const EditFiles& files);

@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
     add_export(program, job);
     add_set(program, job);
     add_randomize(program, job);
+    add_symmetrize(program, job);
     add_normalize(program, job);
     add_replace(program, job);
     add_inkscape(program, job);

@@ -19,6 +19,7 @@ void add_check(CLI::App& program, Job& job);
 void add_export(CLI::App& program, Job& job);
 void add_set(CLI::App& program, Job& job);
 void add_randomize(CLI::App& program, Job& job);
+void add_symmetrize(CLI::App& program, Job& job);
 void add_normalize(CLI::App& program, Job& job);
 void add_replace(CLI::App& program, Job& job);
 void add_inkscape(CLI::App& program, Job& job);

@@ -72,7 +72,7 @@ class CpfgWriter {
         : prepared_(prepared),
           grammar_(prepared.grammar),
           options_(options),
-          symbols_(single_characters(all_symbols_of(prepared.grammar), free_characters)) {
+          symbols_(single_characters(all_symbols(prepared.grammar), free_characters)) {
         name_constants();
     }
 

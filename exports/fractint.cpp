@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "exports/colors_as_styles.h"
 #include "exports/drawn_terminal.h"
 #include "exports/palette.h"
 #include "exports/plain_decimal.h"
@@ -179,6 +180,7 @@ class FractintWriter {
         const double deviation = flatness_share * std::max(outline_size(terminal), 1e-300);
         for (Path path : terminal.paths) {
             if (!drawn.line) path.closed = true;
+            if (!drawn.line && polyline_of(path, deviation).size() <= 3) continue;  // there and back: no area
             text += polyline_text(walk_along(polyline_of(path, deviation)), palette_.number_of(*color));
         }
         return text;
@@ -302,21 +304,14 @@ bool has_homomorphisms(const Grammar& grammar) {
                                [](const Production& production) { return production.kind == ProductionKind::homomorphism; });
 }
 
-bool repaints(const Grammar& grammar) {
-    const auto has = [](const std::vector<ModuleTemplate>& modules) {
-        return std::ranges::any_of(
-            modules, [](const ModuleTemplate& module) { return module.symbol == "fill" || module.symbol == "stroke"; });
-    };
-    return has(grammar.axiom) ||
-           std::ranges::any_of(grammar.productions, [&](const Production& production) { return has(production.successor); });
-}
-
 }  // namespace
 
 Export to_fractint(const Grammar& grammar, const ExportOptions& options) {
     expect_outlines(grammar, "Fractint");
-    if (has_homomorphisms(grammar) || repaints(grammar))
-        return FractintWriter(flat_grammar(grammar, options.derive), {.name = options.name}).write();
+    if (has_homomorphisms(grammar) || has_color_commands(grammar)) {
+        const Grammar flat = colors_as_styles(flat_grammar(grammar, options.derive));
+        return FractintWriter(flat, {.name = options.name}).write();
+    }
     return FractintWriter(grammar, options).write();
 }
 

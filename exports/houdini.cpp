@@ -41,7 +41,7 @@ class HoudiniWriter {
         : prepared_(prepared),
           options_(options),
           scaled_(remembers(prepared.grammar, TurtleMemory::scale)),
-          symbols_(single_characters(all_symbols_of(prepared.grammar), free_characters)) {}
+          symbols_(single_characters(all_symbols(prepared.grammar), free_characters)) {}
 
     Export write() {
         if (has_contexts(prepared_.grammar)) throw RulesLost{"contexts in Houdini do not look past brackets"};
@@ -215,7 +215,7 @@ class HoudiniWriter {
 
     std::set<Family> families() const {
         std::set<Family> families;
-        for (const std::string& symbol : all_symbols_of(grammar_)) {
+        for (const std::string& symbol : all_symbols(grammar_)) {
             for (const std::size_t arity : arities_of(grammar_, symbol)) families.insert({symbol, arity});
         }
         return families;

@@ -1,8 +1,10 @@
 #include "exports/json_placements.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "exports/plain_color.h"
+#include "lsystem/drawn_style.h"
 #include "lsystem/interpret.h"
 #include "scene/svg_write.h"
 
@@ -42,11 +44,16 @@ Json matrix_json(const Affine& map) { return {map.a, -map.b, -map.c, map.d, map.
 
 Json placement_json(const Grammar& grammar, const Placement& placement) {
     const int own = grammar.terminals[static_cast<std::size_t>(placement.terminal)].style;
-    return {{"terminal", placement.terminal},
-            {"style", placement.style != 0 ? placement.style : own},
-            {"layer", placement.layer},
-            {"order", placement.order},
-            {"matrix", matrix_json(to_affine(placement.pose))}};
+    Json json{{"terminal", placement.terminal},
+              {"style", placement.style != 0 ? placement.style : own},
+              {"layer", placement.layer},
+              {"order", placement.order},
+              {"matrix", matrix_json(to_affine(placement.pose))}};
+    const auto style = std::ranges::find(grammar.styles, drawn_style_number(grammar, placement), &NumberedStyle::number);
+    const Style painted = repainted(style == grammar.styles.end() ? Style{} : style->style, placement.repaint);
+    if (placement.repaint.fill) json["fill"] = paint_text(painted.fill);
+    if (placement.repaint.stroke) json["stroke"] = paint_text(painted.stroke.paint);
+    return json;
 }
 
 /// One item a line.

@@ -10,6 +10,7 @@ namespace rinceau {
 ///  "styles": [{"number", "fill", "stroke", "stroke_width", "fixed", "stroke_first", "fill_rule"}], where a paint is "none",
 ///  "#rrggbb" or "gradient", "terminals": [{"symbol", "path", "verbatim"}], "placements": [{"terminal": index, "style":
 ///  number, "layer": k, "order": place in the derivation, "matrix": [a, b, c, d, e, f]}]}, one a line.
+/// A placement that colour commands repaint has "fill" or "stroke", too.
 /// Everything as SVG has it, y down: `matrix` takes a point of the terminal's path to the picture. Numbers are exact.
 Export to_placements(const Grammar& grammar, const ExportOptions& options = {});
 

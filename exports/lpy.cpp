@@ -170,7 +170,7 @@ class LpyWriter {
     void name_everything() {
         std::set<std::string> taken;
         const auto allowed = [](std::string_view name) { return !is_lpy_name(name) && !is_python_name_taken(name); };
-        for (const std::string& symbol : all_symbols_of(grammar_)) symbols_[symbol] = free_name(symbol, taken, allowed);
+        for (const std::string& symbol : all_symbols(grammar_)) symbols_[symbol] = free_name(symbol, taken, allowed);
         const auto python_allowed = [&](std::string_view name) {
             return !is_python_name_taken(name) && !name.starts_with("rinceau") && !name.starts_with("shape_");
         };

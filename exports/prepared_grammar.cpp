@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exports/carried_state.h"
+#include "exports/colors_as_styles.h"
 #include "exports/drawn_terminal.h"
 #include "lsystem/flat_grammar.h"
 #include "lsystem/grammar_names.h"
@@ -12,17 +13,6 @@
 namespace rinceau {
 
 namespace {
-
-bool repaints(const std::vector<ModuleTemplate>& modules) {
-    return std::ranges::any_of(
-        modules, [](const ModuleTemplate& module) { return module.symbol == "fill" || module.symbol == "stroke"; });
-}
-
-bool repaints(const Grammar& grammar) {
-    return repaints(grammar.axiom) || std::ranges::any_of(grammar.productions, [](const Production& production) {
-               return repaints(production.successor);
-           });
-}
 
 /// Style numbers become arguments.
 PreparedGrammar without_style_commands(Grammar grammar) {
@@ -34,7 +24,7 @@ PreparedGrammar without_style_commands(Grammar grammar) {
 
 PreparedGrammar prepared_rules(const Grammar& grammar, const ExportOptions& options, const std::string& format) {
     if (draws_random_numbers(grammar)) throw RulesLost{"what is drawn by chance is frozen as the seed makes it"};
-    if (repaints(grammar)) throw RulesLost{"they change colours"};
+    if (has_color_commands(grammar)) throw RulesLost{"they change colours"};
     if (has_contexts(grammar) && options.derive.depth >= 0) throw RulesLost{"they have contexts, and the depth is limited"};
     PreparedGrammar prepared = without_style_commands(unfolded_exceptions(grammar, options.derive));
     prepared.notes = drawing_notes(grammar, format);
@@ -47,7 +37,7 @@ PreparedGrammar prepared_rules(const Grammar& grammar, const ExportOptions& opti
 
 PreparedGrammar prepared_placements(const Grammar& grammar, const ExportOptions& options, const std::string& format,
                                     const std::string& reason) {
-    PreparedGrammar flat = without_style_commands(flat_grammar(grammar, options.derive));
+    PreparedGrammar flat = without_style_commands(colors_as_styles(flat_grammar(grammar, options.derive)));
     flat.notes = drawing_notes(flat.grammar, format);
     flat.notes.insert(flat.notes.begin(), "The rules are not kept, every element is placed by itself: " + reason + '.');
     return flat;
@@ -64,7 +54,7 @@ std::vector<StyleChoice> styles_of(const PreparedGrammar& prepared, const Termin
     return choices;
 }
 
-std::set<std::string> all_symbols_of(const Grammar& grammar) {
+std::set<std::string> all_symbols(const Grammar& grammar) {
     std::set<std::string> symbols;
     const auto look = [&](const std::vector<ModuleTemplate>& modules) {
         for (const ModuleTemplate& module : modules) {

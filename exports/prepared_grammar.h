@@ -38,7 +38,7 @@ struct StyleChoice {
 std::vector<StyleChoice> styles_of(const PreparedGrammar& prepared, const Terminal& terminal);
 
 /// All symbols: of modules, productions and terminals, in order of the alphabet.
-std::set<std::string> all_symbols_of(const Grammar& grammar);
+std::set<std::string> all_symbols(const Grammar& grammar);
 
 /// How many arguments the modules of a symbol have, wherever they stand.
 std::set<std::size_t> arities_of(const Grammar& grammar, const std::string& symbol);

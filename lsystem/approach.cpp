@@ -86,6 +86,7 @@ std::vector<int> way_to(const std::vector<ModuleTemplate>& string, int position)
 }
 
 int turn_sign(const ModuleTemplate& module) {
+    if (module.arguments.size() != 1) return 0;  // a mistake, which compiling reports
     if (module.symbol == "+") return 1;
     return module.symbol == "-" ? -1 : 0;
 }

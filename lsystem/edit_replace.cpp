@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lsystem/measure_symbol.h"
+#include "lsystem/near_name.h"
 #include "lsystem/number_text.h"
 #include "lsystem/replacement_content.h"
 #include "lsystem/replacement_seats.h"
@@ -126,7 +127,7 @@ class Replacer {
             throw InputError({}, "expected a symbol to replace, found '" + symbol + "', a command of the turtle");
         const std::vector<std::string> known = symbols_of(before_);
         if (std::ranges::count(known, symbol) == 0)
-            throw InputError({}, "expected a symbol of the grammar, found '" + symbol + "'" + instead_of(symbol, before_));
+            throw InputError({}, "expected a symbol of the grammar, found '" + symbol + "'" + instead_of(symbol, known));
         for (const Production& production : before_.productions) {
             if (!is_context(production, symbol)) continue;
             throw InputError(production.place, "expected a symbol that is no context, found " + symbol +

@@ -5,7 +5,6 @@
 #include "lsystem/expression_functions.h"
 #include "lsystem/number_text.h"
 #include "lsystem/parse_statement.h"
-#include "lsystem/similar_name.h"
 #include "lsystem/turtle_commands.h"
 
 namespace rinceau {
@@ -142,17 +141,6 @@ std::vector<std::string> symbols_of(const Grammar& grammar) {
     for (const Exception& exception : grammar.exceptions) add_string(exception.successor);
     for (const std::string& symbol : grammar.ignored) add(symbol);
     return symbols;
-}
-
-std::string instead_of(const std::string& symbol, const Grammar& grammar) {
-    const std::vector<std::string> known = symbols_of(grammar);
-    std::string text = did_you_mean(symbol, {known.begin(), known.end()});
-    if (!text.empty() || known.empty()) return text;
-    constexpr std::size_t most_listed = 12;
-    const std::size_t listed = std::min(known.size(), most_listed);
-    text = known.size() == 1 ? ": there is " : ": there are ";
-    for (std::size_t i = 0; i < listed; ++i) text += (i == 0 ? "" : ", ") + known[i];
-    return listed < known.size() ? text + " and " + std::to_string(known.size() - listed) + " more" : text;
 }
 
 bool draws_random_numbers(const Grammar& grammar) {

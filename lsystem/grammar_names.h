@@ -30,10 +30,6 @@ UsedNames used_names(const Grammar& grammar);
 /// The symbols that have a production, a terminal or a place in a string, but commands, in this order, each once.
 std::vector<std::string> symbols_of(const Grammar& grammar);
 
-/// What to say of a symbol that a grammar does not have: " (did you mean 'Window'?)", or ": there are Row, Window and 3
-/// more".
-std::string instead_of(const std::string& symbol, const Grammar& grammar);
-
 /// True if what it draws may depend on the seed.
 bool draws_random_numbers(const Grammar& grammar);
 

@@ -56,6 +56,11 @@ class RingKeeper {
         counts_differ ? follow_counts() : follow_turn();
     }
 
+    /// As after setting counts.
+    void close() {
+        if (look()) follow_counts();
+    }
+
   private:
     const Grammar& before_;
     Grammar& grammar_;
@@ -103,7 +108,7 @@ class RingKeeper {
         std::string name = name_of_place(grammar_numbers(grammar_), place);
         std::string change = "the turn of " + symbol();
         if (!name.empty()) change = name + ' ' + value_text(name, was) + " -> " + value_text(name, grammar_);
-        change += " so that the ring stays closed";
+        change += " so that the ring is closed";
         const std::size_t others = uses_of(grammar_, loop_).size() - uses_.size();
         if (others > 0) change += "; " + std::to_string(others) + " other use(s) of " + symbol() + " turn with it";
         changes_.push_back(change);
@@ -267,19 +272,34 @@ class RingKeeper {
     }
 };
 
+std::vector<std::vector<Ring>> by_production(std::vector<Ring> rings) {
+    std::vector<std::vector<Ring>> groups;
+    for (Ring& ring : rings) {
+        const int production = ring.loop.production;
+        const auto same = [&](const std::vector<Ring>& group) { return group.front().loop.production == production; };
+        const auto group = std::ranges::find_if(groups, same);
+        if (group == groups.end()) {
+            groups.push_back({std::move(ring)});
+        } else {
+            group->push_back(std::move(ring));
+        }
+    }
+    return groups;
+}
+
 }  // namespace
 
 EditResult keep_rings_closed(const Grammar& before, const Grammar& after) {
     EditResult result{after, {}};
-    std::vector<Ring> rings = closed_rings(before);
-    while (!rings.empty()) {
-        std::vector<Ring> of_one;
-        const int production = rings.front().loop.production;
-        std::ranges::copy_if(rings, std::back_inserter(of_one),
-                             [&](const Ring& ring) { return ring.loop.production == production; });
-        std::erase_if(rings, [&](const Ring& ring) { return ring.loop.production == production; });
-        RingKeeper(before, result.grammar, result.changes, std::move(of_one)).keep();
-    }
+    for (std::vector<Ring>& rings : by_production(closed_rings(before)))
+        RingKeeper(before, result.grammar, result.changes, std::move(rings)).keep();
+    return result;
+}
+
+EditResult close_rings(const Grammar& grammar, std::vector<Ring> rings) {
+    EditResult result{grammar, {}};
+    for (std::vector<Ring>& of_one : by_production(std::move(rings)))
+        RingKeeper(grammar, result.grammar, result.changes, std::move(of_one)).close();
     return result;
 }
 

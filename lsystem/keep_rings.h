@@ -3,11 +3,15 @@
 
 #include "lsystem/edit_result.h"
 #include "lsystem/grammar.h"
+#include "lsystem/ring.h"
 
 namespace rinceau {
 
 /// `after` differs from `before` in numbers only. If the count of a ring is another one, its turn follows; if its turn is,
 /// its count does. Throws InputError if no whole count closes it.
 EditResult keep_rings_closed(const Grammar& before, const Grammar& after);
+
+/// Gives these rings the turns that close them, as often around as they say.
+EditResult close_rings(const Grammar& grammar, std::vector<Ring> rings);
 
 }  // namespace rinceau

@@ -70,6 +70,9 @@ std::vector<Group> groups_of(const std::vector<ModuleTemplate>& string) {
         if (depth == 0) groups.push_back({i, i, {}});
         groups.back().symbols.push_back(i);
     }
+    // a bracket without its partner is a mistake, which interpreting reports
+    std::erase_if(groups,
+                  [&](const Group& group) { return group.first == group.last && is_command(string[at(group.first)]); });
     return groups;
 }
 
@@ -95,6 +98,9 @@ class Planner {
     const std::vector<ModuleTemplate>* string_ = nullptr;
 
     const ModuleTemplate& module_at(int position) const { return (*string_)[at(position)]; }
+    bool is_one(int position, const std::string& symbol) const {
+        return module_at(position).symbol == symbol && module_at(position).arguments.size() == 1;
+    }
     void add(NoiseKind kind, How how, int position, int argument = 0) {
         result_.push_back({kind, how, place_, position, argument});
     }
@@ -133,7 +139,7 @@ class Planner {
     int last_of(const Approach& approach, const std::string& symbol) const {
         int found = -1;
         for (const int position : approach.commands)
-            if (module_at(position).symbol == symbol) found = position;
+            if (is_one(position, symbol)) found = position;
         return found;
     }
     int last_turn(const Approach& approach) const { return std::max(last_of(approach, "+"), last_of(approach, "-")); }
@@ -146,7 +152,7 @@ class Planner {
 
     void add_distances(const std::vector<int>& commands) {
         for (const int position : commands)
-            if (module_at(position).symbol == "f") add(NoiseKind::distance, How::in_expression, position);
+            if (is_one(position, "f")) add(NoiseKind::distance, How::in_expression, position);
     }
 
     /// Right(80) on the way, with Right(d) -> -(90) f(d) +(90).
@@ -159,7 +165,8 @@ class Planner {
                 if (production.parameters.size() != module.arguments.size()) continue;
                 for (std::size_t i = 0; i < production.parameters.size(); ++i) {
                     const bool is_length = std::ranges::any_of(production.successor, [&](const ModuleTemplate& part) {
-                        return part.symbol == "f" && part.arguments.front() == name_expression(production.parameters[i]);
+                        return part.symbol == "f" && part.arguments.size() == 1 &&
+                               part.arguments.front() == name_expression(production.parameters[i]);
                     });
                     if (is_length) add(NoiseKind::distance, How::in_expression, position, static_cast<int>(i));
                 }
@@ -206,7 +213,7 @@ class Planner {
     void plan_scale(const Group& group, const std::vector<int>& before, bool one) {
         int scale = -1;
         for (const int position : before) {
-            if (module_at(position).symbol == "*") scale = position;
+            if (is_one(position, "*")) scale = position;
             if (module_at(position).symbol == "f") scale = -1;
         }
         if (scale >= 0) return add(NoiseKind::scale, How::in_expression, scale);

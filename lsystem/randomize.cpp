@@ -46,37 +46,77 @@ Expression stripped(const Expression& expression, const Deviations& kinds) {
     return kinds.contains(noise->kind) ? base : with_noise(base, noise->kind, noise->deviation);
 }
 
-/// [A] becomes A where the brackets came with noise that is gone: `open` is the place of the bracket.
-bool holds_one_symbol(const String& string, std::size_t open) {
-    return open + 2 < string.size() && string[open].symbol == "[" &&
-           find_turtle_command(string[open + 1].symbol) == nullptr && string[open + 2].symbol == "]";
-}
+/// Noise with the place where it stood, in the grammar without noise.
+struct PlacedNoise {
+    NoisePlace place;
+    double deviation = 0;
+};
 
-String stripped(const String& string, const Deviations& kinds) {
-    String result;
-    std::set<std::size_t> brackets;  // that came with noise
-    for (const ModuleTemplate& module : string) {
-        const auto noise = find_noise_command(module);
-        if (noise && kinds.contains(noise->kind)) {
-            if (noise->bracketed && !result.empty() && result.back().symbol == "[") brackets.insert(result.size() - 1);
-            continue;
+/// One string without noise, and the noise that it had.
+class Stripper {
+  public:
+    explicit Stripper(const StringPlace& place) : place_(place) {}
+
+    String strip(const String& string) {
+        String result;
+        for (const ModuleTemplate& module : string) {
+            const int position = static_cast<int>(result.size());
+            if (const auto noise = find_noise_command(module)) {
+                if (noise->bracketed && !result.empty() && result.back().symbol == "[") brackets_.insert(position - 1);
+                const auto how = noise->bracketed ? How::bracketed : How::before;
+                noise_.push_back({{noise->kind, how, place_, position, 0}, noise->deviation});
+                continue;
+            }
+            result.push_back(module);
+            for (std::size_t i = 0; i < module.arguments.size(); ++i) strip_argument(result.back(), position, i);
         }
-        result.push_back(module);
-        for (Expression& argument : result.back().arguments) argument = stripped(argument, kinds);
+        unwrap(result);
+        return result;
     }
-    for (auto open = brackets.rbegin(); open != brackets.rend(); ++open) {
-        if (!holds_one_symbol(result, *open)) continue;
-        const auto first = result.begin() + static_cast<std::ptrdiff_t>(*open);
-        result.erase(first + 2);
-        result.erase(first);
+    std::vector<PlacedNoise> noise_;
+
+  private:
+    StringPlace place_;
+    std::set<int> brackets_;  ///< that came with noise
+
+    void strip_argument(ModuleTemplate& module, int position, std::size_t index) {
+        Expression& argument = module.arguments[index];
+        while (const auto found = find_noise(argument)) {
+            noise_.push_back(
+                {{found->kind, How::in_expression, place_, position, static_cast<int>(index)}, found->deviation});
+            argument.postfix.resize(at(found->base_size));
+        }
+    }
+
+    /// [A] becomes A where the brackets came with noise.
+    void unwrap(String& string) {
+        for (auto open = brackets_.rbegin(); open != brackets_.rend(); ++open) {
+            if (at(*open) + 2 >= string.size() || find_turtle_command(string[at(*open) + 1].symbol) != nullptr) continue;
+            if (string[at(*open) + 2].symbol != "]") continue;
+            string.erase(string.begin() + *open + 2);
+            string.erase(string.begin() + *open);
+            for (PlacedNoise& noise : noise_) {
+                int& position = noise.place.position;
+                if (position > *open + 2) --position;
+                if (position > *open) --position;
+            }
+        }
+    }
+};
+
+struct StrippedGrammar {
+    Grammar grammar;
+    std::vector<PlacedNoise> noise;
+};
+
+StrippedGrammar stripped(const Grammar& grammar) {
+    StrippedGrammar result{grammar, {}};
+    for (const StringPlace& place : strings_of(grammar)) {
+        Stripper stripper(place);
+        string_at(result.grammar, place) = stripper.strip(string_at(grammar, place));
+        result.noise.insert(result.noise.end(), stripper.noise_.begin(), stripper.noise_.end());
     }
     return result;
-}
-
-Grammar stripped(Grammar grammar, const Deviations& kinds) {
-    for (const StringPlace& place : strings_of(grammar))
-        string_at(grammar, place) = stripped(string_at(grammar, place), kinds);
-    return grammar;
 }
 
 void put_on(Expression& expression, NoiseKind kind, double deviation) {
@@ -84,16 +124,16 @@ void put_on(Expression& expression, NoiseKind kind, double deviation) {
 }
 
 /// All noise at one position of a string; `string` is changed from there on only.
-void add_at(String& string, int position, const std::vector<const NoisePlace*>& places, const Deviations& deviations) {
+void add_at(String& string, int position, std::vector<const PlacedNoise*> noise) {
+    std::ranges::stable_sort(noise, {}, [](const PlacedNoise* one) { return one->place.kind; });
     String commands;
     bool bracketed = false;
-    for (const NoisePlace* place : places) {
-        const double deviation = deviations.at(place->kind);
-        if (place->how == How::in_expression) {
-            put_on(string[at(position)].arguments[at(place->argument)], place->kind, deviation);
-        } else if (deviation > 0) {
-            bracketed = bracketed || place->how == How::bracketed;
-            commands.push_back(noise_command({place->kind, deviation, place->how == How::bracketed}));
+    for (const PlacedNoise* one : noise) {
+        if (one->place.how == How::in_expression) {
+            put_on(string[at(position)].arguments[at(one->place.argument)], one->place.kind, one->deviation);
+        } else {
+            bracketed = bracketed || one->place.how == How::bracketed;
+            commands.push_back(noise_command({one->place.kind, one->deviation, one->place.how == How::bracketed}));
         }
     }
     if (commands.empty()) return;
@@ -104,14 +144,25 @@ void add_at(String& string, int position, const std::vector<const NoisePlace*>& 
     string.insert(string.begin() + position, commands.begin(), commands.end());
 }
 
-Grammar with_noise_at(Grammar grammar, const std::vector<NoisePlace>& places, const Deviations& deviations) {
+Grammar with_noise_at(Grammar grammar, const std::vector<PlacedNoise>& noise) {
     for (const StringPlace& string : strings_of(grammar)) {
-        std::map<int, std::vector<const NoisePlace*>, std::greater<>> by_position;
-        for (const NoisePlace& place : places)
-            if (place.string == string && deviations.contains(place.kind)) by_position[place.position].push_back(&place);
-        for (const auto& [position, here] : by_position) add_at(string_at(grammar, string), position, here, deviations);
+        std::map<int, std::vector<const PlacedNoise*>, std::greater<>> by_position;
+        for (const PlacedNoise& one : noise)
+            if (one.place.string == string && one.deviation > 0) by_position[one.place.position].push_back(&one);
+        for (const auto& [position, here] : by_position) add_at(string_at(grammar, string), position, here);
     }
     return grammar;
+}
+
+/// Noise of the given kinds where the plan has it; of others where it was.
+Grammar randomize_planned(const Grammar& grammar, const Deviations& deviations) {
+    StrippedGrammar plain = stripped(grammar);
+    std::erase_if(plain.noise, [&](const PlacedNoise& one) { return deviations.contains(one.place.kind); });
+    for (const NoisePlace& place : noise_places(plain.grammar)) {
+        const auto deviation = deviations.find(place.kind);
+        if (deviation != deviations.end()) plain.noise.push_back({place, deviation->second});
+    }
+    return with_noise_at(std::move(plain.grammar), plain.noise);
 }
 
 std::optional<NoiseKind> noise_kind(NumberKind kind) {
@@ -198,26 +249,13 @@ std::vector<std::string> changes_between(const Grammar& before, const Grammar& a
 
 }  // namespace
 
-Grammar without_noise(const Grammar& grammar) {
-    return stripped(grammar, {{NoiseKind::angle, 0}, {NoiseKind::distance, 0}, {NoiseKind::scale, 0}});
-}
+Grammar without_noise(const Grammar& grammar) { return stripped(grammar).grammar; }
 
 EditResult randomize(const Grammar& grammar, const RandomizeOptions& options) {
     const Deviations deviations = deviations_of(options);
-    EditResult result{grammar, {}};
-    if (!options.only.empty()) {
-        result.grammar = randomize_only(grammar, options.only, deviations);
-    } else {
-        const std::vector<NoisePlace> places = noise_places(without_noise(grammar));
-        const bool all = deviations.size() == 3;
-        // Noise of other kinds shifts positions: it is put back with the rest.
-        Deviations kept = deviations;
-        result.grammar = all ? with_noise_at(without_noise(grammar), places, kept) : grammar;
-        if (!all) {
-            result.grammar = stripped(grammar, deviations);
-            result.grammar = with_noise_at(result.grammar, noise_places(result.grammar), deviations);
-        }
-    }
+    EditResult result{
+        options.only.empty() ? randomize_planned(grammar, deviations) : randomize_only(grammar, options.only, deviations),
+        {}};
     result.changes = changes_between(grammar, result.grammar);
     if (options.seed && options.seed != grammar.seed) {
         result.grammar.seed = options.seed;

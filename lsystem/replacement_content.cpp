@@ -5,6 +5,7 @@
 #include "lsystem/drawing_terminals.h"
 #include "lsystem/measure_symbol.h"
 #include "lsystem/merge_grammar.h"
+#include "lsystem/near_name.h"
 #include "lsystem/turtle_commands.h"
 #include "lsystem/unfolded_exceptions.h"
 
@@ -144,7 +145,7 @@ class ContentMaker {
         for (const ModuleTemplate& module : string) {
             if (is_command(module) || std::ranges::count(known, module.symbol) > 0) continue;
             throw InputError({}, "expected a symbol of the grammar in '" + label + "', found '" + module.symbol + "'" +
-                                     instead_of(module.symbol, grammar));
+                                     instead_of(module.symbol, known));
         }
         if (!is_one_symbol(string)) return content;
         content.arities = arities_of(grammar, string.front().symbol);

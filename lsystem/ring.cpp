@@ -102,7 +102,7 @@ std::optional<double> turn_of(const Grammar& grammar, const RuleLoop& loop, cons
             const auto value = value_of(without_noise(module.arguments.front()), scope);
             if (!value) return {};
             sum += sign * *value;
-        } else if (module.symbol == "*") {
+        } else if (module.symbol == "*" && module.arguments.size() == 1) {
             const auto value = value_of(without_noise(module.arguments.front()), scope);
             if (!value || *value != 1) return {};
         } else if (find_turtle_command(module.symbol) == nullptr && !stillness.leaves_heading(module.symbol)) {

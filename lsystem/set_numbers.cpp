@@ -6,6 +6,7 @@
 
 #include "lsystem/constant_values.h"
 #include "lsystem/keep_rings.h"
+#include "lsystem/near_name.h"
 #include "lsystem/number_slots.h"
 #include "lsystem/number_text.h"
 
@@ -21,34 +22,21 @@ std::string trimmed(std::string_view text) {
     return std::string(text);
 }
 
-std::size_t distance_of(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
-        }
-    }
-    return row.back();
-}
-
+/// Names that hold what was asked for come first, then the one that is nearest.
 [[noreturn]] void throw_unknown(const std::string& name, const std::vector<GrammarNumber>& numbers) {
     constexpr std::size_t most_named = 4;
-    std::vector<std::pair<std::size_t, std::string>> near;
+    std::vector<std::string> known;
+    std::vector<std::string> holding;
     for (const GrammarNumber& number : numbers) {
         if (number.rank == NumberRank::hidden && number.constant < 0) continue;
-        const bool part = number.name.find(name) != std::string::npos;
-        near.emplace_back(part ? 0 : distance_of(name, number.name), number.name);
+        known.push_back(number.name);
+        if (number.name.find(name) != std::string::npos) holding.push_back(number.name);
     }
-    std::ranges::stable_sort(near, {}, [](const auto& entry) { return entry.first; });
-    std::string names;
-    for (std::size_t i = 0; i < std::min(near.size(), most_named); ++i) names += (i > 0 ? ", " : "") + near[i].second;
-    throw InputError({}, "expected the name of a number, such as " + names + ", found '" + name +
-                             "': without NAME=VALUE, 'set' lists them all");
+    std::string cure = instead_of(name, known);
+    if (!holding.empty()) cure = ": there is";
+    for (std::size_t i = 0; i < std::min(holding.size(), most_named); ++i) cure += (i > 0 ? ", " : " ") + holding[i];
+    throw InputError({}, "expected the name of a number of the grammar, found '" + name + "'" + cure +
+                             " ('rinceau set RULES' lists all)");
 }
 
 class NumberSetter {

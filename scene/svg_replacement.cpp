@@ -113,10 +113,18 @@ std::string SvgReplacement::document_with(const SvgReplacementContent& content) 
     const std::vector<const SvgNode*> kept = referred_to(state.tree, removed);
     const std::unordered_set<const SvgNode*> kept_set(kept.begin(), kept.end());
 
+    // What was selected stays selected: the group has the name of an element that goes.
+    std::string id = "rinceau";
+    for (int number = 2; state.tree.find(id) != nullptr; ++number) id = "rinceau-" + std::to_string(number);
+    const std::string_view* name = find_attribute(*selection.chosen.back(), "id");
+    if (name != nullptr && !name->empty() && state.tree.find(*name) == selection.chosen.back() &&
+        !kept_set.contains(selection.chosen.back()))
+        id = xml_escaped(std::string(*name));
+
     // Make the drawing fit to stand in the document.
-    const auto is_taken = [&](const std::string& id) {
-        const SvgNode* node = state.tree.find(id);
-        return node != nullptr && (!is_inside(node, removed) || is_inside(node, kept_set));
+    const auto is_taken = [&](const std::string& wanted) {
+        const SvgNode* node = state.tree.find(wanted);
+        return (wanted == id && selection.rules == nullptr) || (node != nullptr && (!is_inside(node, removed) || is_inside(node, kept_set)));
     };
     const auto drawing = parse_svg_document(content.svg);
     make_originals_real(*drawing);
@@ -131,8 +139,6 @@ std::string SvgReplacement::document_with(const SvgReplacementContent& content) 
         const SvgMarkup& group = markup.of(*selection.rules);
         edits.push_back({group.tag_end, group.content_end, inside});
     } else {
-        std::string id = "rinceau";
-        for (int number = 2; state.tree.find(id) != nullptr; ++number) id = "rinceau-" + std::to_string(number);
         std::string tag = "<g xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\""
                           " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" id=\"" +
                           id + "\" inkscape:label=\"" + xml_escaped(content.label) + "\" " +

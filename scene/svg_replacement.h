@@ -44,7 +44,7 @@ class SvgReplacement {
     /// So many drawn elements that are not selected will lie below what they lay on.
     std::size_t overtaken() const;
 
-    /// The document with a group in the place of the uppermost selected element, in which the definitions of `content.svg`
+    /// The document with a group in the place and by the id of the uppermost selected element, in which the definitions of `content.svg`
     /// that are used twice or more are elements on the page and their uses clones (svg_originals.h). The other selected
     /// elements are gone; what something else refers to has moved to the definitions. The place must not be empty.
     std::string document_with(const SvgReplacementContent& content) const;

@@ -33,6 +33,7 @@ class Selector {
         const bool all = asked_.contains(root.node);
         for (const SvgNode* child = root.node->first_child; child != nullptr; child = child->next)
             if (!is_text(*child)) visit(root, *child, all);
+        enter_single_group();
         if (chosen_.empty()) return result;
         if (chosen_.size() == 1 && has_rules(*chosen_.front())) {
             result.rules = result.parent = chosen_.front();
@@ -40,7 +41,6 @@ class Selector {
                 if (!is_text(*child)) result.chosen.push_back(child);
             return result;
         }
-        enter_single_group();
         result.parent = chosen_.back()->parent;
         result.chosen = std::move(chosen_);
         return result;

@@ -9,6 +9,6 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 /usr/bin/python3 "$root/scripts/run_commands.py" "$rinceau" "$root/docs/gallery.md" "$work"
 mkdir -p "$root/docs/images/gallery" "$root/samples/figures"
-rm -f "$root"/docs/images/gallery/*.svg "$root"/samples/figures/fig*
+rm -f "$root"/docs/images/gallery/* "$root"/samples/figures/fig*
 mv "$work"/fig*.lsys "$work"/fig*.svg "$root/samples/figures/"
-mv "$work"/*.svg "$root/docs/images/gallery/"
+mv "$work"/*.svg "$work"/*.png "$root/docs/images/gallery/"

@@ -46,7 +46,7 @@ std::string without_file(const std::string& mistakes) {
     return result;
 }
 
-void check_good(const std::string& file, const ScratchFolder& scratch) {
+void check_good(const std::string& file, bool is_library, const ScratchFolder& scratch) {
     const ProgramRun check = run_rinceau({"check", file}, {.folder = scratch.path()});
     CHECK(check.status == 0);
     CHECK(check.err.empty());  // no hints either
@@ -55,6 +55,8 @@ void check_good(const std::string& file, const ScratchFolder& scratch) {
     CHECK(render.status == 0);
     const bool draws = render.out.find("<path") != std::string::npos || render.out.find("<text") != std::string::npos;
     CHECK(draws);
+    const bool has_canvas = read_file(scratch.file(file)).find("\ncanvas ") != std::string::npos;
+    CHECK((has_canvas || is_library));  // without one only a corner of it is seen
 }
 
 }  // namespace
@@ -72,7 +74,8 @@ TEST_CASE("Every example of the language's page does what the page says") {
             file = file_of(block);
             write_file(scratch.file(file), block.text);
             const bool is_faulty = i + 1 < blocks.size() && blocks[i + 1].kind == "checked";
-            if (!is_faulty) check_good(file, scratch);
+            const bool is_library = file != "example.lsys";
+            if (!is_faulty) check_good(file, is_library, scratch);
         } else if (block.kind == "derived") {
             CHECK(run_rinceau({"derive", file}, {.folder = scratch.path()}).out == block.text);
         } else if (block.kind == "checked") {

@@ -65,7 +65,7 @@ class Session:
             results.append(self.folder / f'{number}_{document.name}')
             actions += [*stage, f'export-filename:{results[-1]}', 'export-overwrite', 'export-do']
         subprocess.run(['inkscape', str(document), '--batch-process', '--actions=' + ';'.join(actions)],
-                       env=self.environment, check=True, capture_output=True, timeout=120)
+                       env=self.environment, check=True, capture_output=True, timeout=300)
         return results
 
     def picture(self, document, width=500):

@@ -38,6 +38,7 @@ TEST_CASE("weighted and unweighted productions that hide one another are mistake
                "the one in line 3 always comes first; give that one a weight"));
     CHECK(says(message("axiom: A\nA -> X : 1\nA -> Y\n" + drawn),
                "the one in line 3 always comes first; give this one a weight"));
+    CHECK(mistakes("axiom: A B A\nB < A -> X\nA -> Y\nB -> Y\n" + drawn).empty());
     CHECK(mistakes("axiom: A(1)\nA(m) : m > 1 -> X\nA(m) -> Y : 1\nA(m) -> X : 1\n" + drawn).empty());
     // the first one brings in the last one, although the one between them has no weight
     CHECK(mistakes("axiom: A(1)\nA(m) : m > 1 -> X : 1\nA(m) -> Y\nA(m) -> X : 1\n" + drawn).empty());
@@ -67,6 +68,7 @@ TEST_CASE("productions that never end are mistakes, by whatever way they come ba
 
 TEST_CASE("contexts that are never met are mistakes") {
     const std::string rest = drawn + "A -> X\n";
+    CHECK(mistakes("axiom: X A Y\nX < A > Y -> X\n" + rest).empty());
     CHECK(says(message("axiom: X A Y\nXx < A -> X\n" + rest), "found 'Xx', which stands in none"));
     CHECK(says(message("axiom: X A Windows Y\nWindow < A -> X\nWindows -> X\n" + rest), "(did you mean 'Windows'?)"));
     CHECK(says(message("axiom: X A Y\nA > Y(m) -> X\n" + rest),
@@ -84,6 +86,7 @@ TEST_CASE("contexts and exceptions, and ignored symbols that are nowhere, are mi
 }
 
 TEST_CASE("a symbol that only contexts see needs no drawing") {
+    CHECK(mistakes("axiom: Mark A\nMark < A -> X\nA -> Y\n" + drawn).empty());
     CHECK(mistakes("axiom: Mark A\nA -> Y\n" + drawn) == Texts{"2:8"});
 }
 

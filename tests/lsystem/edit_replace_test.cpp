@@ -340,9 +340,9 @@ TEST_CASE("What nothing uses any more goes, unless it is kept or was never used"
 }
 
 TEST_CASE("Faults are named with their cure") {
-    CHECK_THAT(message_of(windows, {own("Windov", "Door")}), Contains("found 'Windov' (did you mean 'Window'?)"));
-    CHECK_THAT(message_of(windows, {own("Window", "door")}), Contains("found 'door' (did you mean 'Door'?)"));
-    CHECK_THAT(message_of(windows, {own("Zebra", "Door")}), Contains("there are Row, Window, Door"));
+    CHECK_THAT(message_of(windows, {own("Windov", "Door")}), Contains("found 'Windov': did you mean 'Window'?"));
+    CHECK_THAT(message_of(windows, {own("Window", "door")}), Contains("found 'door': did you mean 'Door'?"));
+    CHECK_THAT(message_of(windows, {own("Zebra", "Door")}), Contains("there is Row, Window, Door"));
     CHECK_THAT(message_of(windows, {own("f", "Door")}), Contains("a command of the turtle"));
     CHECK_THAT(message_of(windows, {drawing("Window", {})}), Contains("a drawing with something in it"));
     CHECK_THAT(message_of(windows, {own("Window", "Row")}), Contains("would hold itself without end"));

@@ -41,7 +41,10 @@ ignore Mark
 axiom: Signal(3) Mark Stem [Mark Bud] Stem Stem [Bud] Bud
 Signal(t) : t > 0 -> Signal(t-1)
 Signal(t) -> Stem
-Bud -> Flower
+Signal(t) < Stem : t == 0 -> Signal(1)
+Signal(t) < Bud > Bud : t == 0 -> Flower
+Signal(t) < Bud -> Flower : 0.5
+Signal(t) < Bud -> Blade : 2
 Nothing -> Bud
 Mark -> Mark2 Nothing
 Mark2 ->

@@ -147,8 +147,7 @@ TEST_CASE("a ring stays closed when its count is set") {
     const EditResult edit = set(grammar_of(ring), {"Ring.count=10"});
     CHECK(value(edit.grammar, "Ring.count") == 10);
     CHECK(value(edit.grammar, "Ring.turn") == 36);
-    CHECK(edit.changes ==
-          std::vector<std::string>{"Ring.count 12 -> 10", "Ring.turn 30 -> 36 so that the ring stays closed"});
+    CHECK(edit.changes == std::vector<std::string>{"Ring.count 12 -> 10", "Ring.turn 30 -> 36 so that the ring is closed"});
     CHECK(production(set(grammar_of(ring), {"Ring.count=7"}).grammar, 0) ==
           "Ring(m) : m > 0 -> [f(50) A] +(360/7) Ring(m-1)\n");
     CHECK(value(set(grammar_of(ring), {"Ring.count=10"}, {.keep_rings_closed = false}).grammar, "Ring.turn") == 30);

@@ -163,7 +163,7 @@ TEST_CASE("A group with rules is found by any of its parts, and filled anew in i
         {"<svg><rect id=\"inner\" width=\"20\" height=\"20\"/></svg>", "first <rules>\n  & more", "label"});
     const std::size_t tag = changed.find("<g xmlns=") + 2;
     changed.insert(tag, " transform=\"matrix(1 0.4 -0.3 0.9 20 10)\"");
-    for (const Ids& ids : {Ids{"inner"}, Ids{"rinceau"}, Ids{"inner", "rinceau"}}) {
+    for (const Ids& ids : {Ids{"inner"}, Ids{"a"}, Ids{"inner", "a"}}) {
         const SvgReplacement again(changed, ids);
         CHECK(again.rules() == "first <rules>\n  & more");
         REQUIRE(again.scene().elements.size() == 1);

@@ -155,7 +155,7 @@ class Comparison:
             a, b, c, d = placement["matrix"][:4]
             scale = math.sqrt(abs(a * d - b * c))
             paths = outline.placed(placement["matrix"])
-            key = (placement["terminal"], placement["style"])
+            key = (placement["terminal"], placement["style"], fill, stroke)
             parts = []
             if fill != "none" and self.fills:
                 parts.append(("fill", fill, None))
