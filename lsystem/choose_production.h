@@ -32,16 +32,26 @@ class ProductionChoice {
 
     /// The same for productions that fit by their number of parameters alone.
     int choose_by_count(std::span<const int> productions, std::span<const double> arguments, DrawKey key) {
-        const auto values_of = [arguments](const CompiledProduction& production) {
-            const bool fits = production.parameters == static_cast<int>(arguments.size());
-            return fits ? std::optional(arguments.data()) : std::nullopt;
-        };
-        return choose(productions, values_of, key);
+        const int count = static_cast<int>(arguments.size());
+        for (std::size_t i = 0; i < productions.size(); ++i) {
+            const CompiledProduction& production = grammar_.productions[static_cast<std::size_t>(productions[i])];
+            if (production.parameters != count || !holds(production, productions[i], arguments.data(), key)) continue;
+            return production.weighted ? drawn_by_count(productions.subspan(i), arguments, key) : productions[i];
+        }
+        return -1;
     }
 
   private:
     const CompiledGrammar& grammar_;
     std::vector<double> stack_;
+
+    int drawn_by_count(std::span<const int> productions, std::span<const double> arguments, DrawKey key) {
+        const auto values_of = [arguments](const CompiledProduction& production) {
+            const bool fits = production.parameters == static_cast<int>(arguments.size());
+            return fits ? std::optional(arguments.data()) : std::nullopt;
+        };
+        return drawn_by_weight(productions, values_of, key);
+    }
 
     bool holds(const CompiledProduction& production, int index, const double* values, DrawKey key) {
         if (!production.conditional) return true;

@@ -136,6 +136,45 @@ void add_draw(Program& program, Instruction& instruction, const Expression::Node
     program.draws.push_back({normal ? Draw::Distribution::normal : Draw::Distribution::uniform, 0, place});
 }
 
+Program::Shape shape_of(Op operation) {
+    using Shape = Program::Shape;
+    switch (operation) {
+        case Op::add:
+            return Shape::add;
+        case Op::subtract:
+            return Shape::subtract;
+        case Op::multiply:
+            return Shape::multiply;
+        case Op::divide:
+            return Shape::divide;
+        case Op::less:
+            return Shape::less;
+        case Op::less_equal:
+            return Shape::less_equal;
+        case Op::greater:
+            return Shape::greater;
+        case Op::greater_equal:
+            return Shape::greater_equal;
+        case Op::equal:
+            return Shape::equal;
+        default:
+            return Shape::any;
+    }
+}
+
+/// Comparisons with what is not a number are left to the code.
+void find_shape(Program& program) {
+    const std::vector<Instruction>& code = program.code;
+    if (code.front().op != Instruction::Op::slot) return;
+    program.slot = code.front().slot;
+    constexpr std::size_t operation_on_two = 3;
+    if (code.size() == 1) program.shape = Program::Shape::slot;
+    if (code.size() != operation_on_two || code[1].op != Instruction::Op::number || std::isnan(code[1].number)) return;
+    if (code[2].op != Instruction::Op::binary) return;
+    program.number = code[1].number;
+    program.shape = shape_of(code[2].operation);
+}
+
 double drawn(const Draw& draw, double a, double b, DrawKey place) {
     const DrawKey key = key_below(place, draw.salt);
     if (draw.distribution == Draw::Distribution::uniform) return a + (b - a) * uniform_draw(key);
@@ -161,6 +200,7 @@ Program compile_expression(const Expression& expression, const Scope& scope, con
         fold(program);
     }
     if (height != 1) throw InputError(place, "expected an expression, found one that is not whole");
+    find_shape(program);
     return program;
 }
 
@@ -168,7 +208,7 @@ void salt_draws(Program& program, std::uint64_t salt) {
     for (std::size_t i = 0; i < program.draws.size(); ++i) program.draws[i].salt = key_below(salt, i);
 }
 
-double evaluate(const Program& program, const double* slots, double* stack, DrawKey key) {
+double evaluate_code(const Program& program, const double* slots, double* stack, DrawKey key) {
     double* top = stack;  // one past the uppermost number
     for (const Instruction& instruction : program.code) {
         switch (instruction.op) {

@@ -36,6 +36,23 @@ struct Draw {
 
 /// Postfix. A program of one Op::number is a constant.
 struct Program {
+    /// What most programs are: a slot alone, or a slot and a number behind it, in one operation.
+    enum class Shape : unsigned char {
+        any,
+        slot,
+        add,
+        subtract,
+        multiply,
+        divide,
+        less,
+        less_equal,
+        greater,
+        greater_equal,
+        equal
+    };
+    Shape shape = Shape::any;
+    int slot = 0;
+    double number = 0;
     std::vector<Instruction> code;
     int stack_size = 0;  ///< numbers that an evaluation holds at most at a time
     std::vector<Draw> draws;
@@ -53,6 +70,37 @@ void salt_draws(Program& program, std::uint64_t salt);
 
 /// `stack` has room for stack_size numbers; draws are made below `key`. The result may be infinite or not a number.
 /// Throws InputError for a normal distribution with a negative deviation.
-double evaluate(const Program& program, const double* slots, double* stack, DrawKey key = 0);
+double evaluate_code(const Program& program, const double* slots, double* stack, DrawKey key);
+
+/// The same, for finite slots.
+inline double evaluate(const Program& program, const double* slots, double* stack, DrawKey key = 0) {
+    using Shape = Program::Shape;
+    const double number = program.number;
+    switch (program.shape) {
+        case Shape::slot:
+            return slots[program.slot];
+        case Shape::add:
+            return slots[program.slot] + number;
+        case Shape::subtract:
+            return slots[program.slot] - number;
+        case Shape::multiply:
+            return slots[program.slot] * number;
+        case Shape::divide:
+            return slots[program.slot] / number;
+        case Shape::less:
+            return slots[program.slot] < number ? 1 : 0;
+        case Shape::less_equal:
+            return slots[program.slot] <= number ? 1 : 0;
+        case Shape::greater:
+            return slots[program.slot] > number ? 1 : 0;
+        case Shape::greater_equal:
+            return slots[program.slot] >= number ? 1 : 0;
+        case Shape::equal:
+            return slots[program.slot] == number ? 1 : 0;
+        case Shape::any:
+            break;
+    }
+    return evaluate_code(program, slots, stack, key);
+}
 
 }  // namespace rinceau

@@ -12,6 +12,7 @@
 #include "lsystem/choose_production.h"
 #include "lsystem/derive_context.h"
 #include "lsystem/interpret.h"
+#include "lsystem/parameter_stack.h"
 
 namespace rinceau {
 
@@ -127,8 +128,7 @@ class ModuleStream {
     ProductionChoice choice_;
     std::vector<double> scratch_;
     std::vector<Frame> frames_;
-    std::vector<double> values_;  ///< parameters of the open frames
-    std::vector<double> arguments_;
+    ParameterStack values_;  ///< parameters of the open frames
     std::vector<int> address_;
     std::vector<Level> levels_{Level{0, 0}};
     std::vector<Occurrence> trail_;
@@ -167,7 +167,7 @@ class ModuleStream {
             if (frames_.size() > 1) sink_.closed();  // the axiom was not opened
         }
         const Frame& frame = frames_.back();
-        values_.resize(frame.values);
+        values_.shrink_to(frame.values);
         if constexpr (tracked) {
             if (frame.opens_level) {
                 levels_.pop_back();
@@ -182,14 +182,15 @@ class ModuleStream {
         if (module.constant) {
             return {grammar_.values.data() + module.first_value, static_cast<std::size_t>(module.argument_count)};
         }
-        arguments_.clear();
-        for (const Program& argument : module.arguments) {
-            const double value = evaluate(argument, values_.data() + frame.values, scratch_.data(), key_of(frame));
-            if (!std::isfinite(value)) throw_not_finite(module);
-            arguments_.push_back(value);
+        const auto count = static_cast<std::size_t>(module.argument_count);
+        double* const values = values_.room(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            values[i] = evaluate(module.arguments[i], values_.from(frame.values), scratch_.data(), key_of(frame));
+            if (!std::isfinite(values[i])) throw_not_finite(module);
         }
-        return arguments_;
+        return {values, count};
     }
+
     void pass_command(const Frame& frame, const CompiledModule& module) {
         limits_.count_module();
         sink_.command(module, arguments_of(frame, module));
@@ -226,8 +227,8 @@ class ModuleStream {
         standing.key = key_after(standing.key, waited);
         expand(frame, module, decision.production, arguments, standing, waited);
         frames_.back().decision = decision.first;
-        const auto first = decisions_.values.begin() + static_cast<std::ptrdiff_t>(decision.values);
-        values_.insert(values_.end(), first, first + applied.context_parameters);
+        values_.add(
+            std::span(decisions_.values).subspan(decision.values, static_cast<std::size_t>(applied.context_parameters)));
         return true;
     }
 
@@ -318,7 +319,7 @@ class ModuleStream {
         frame.between = between;
         frame.drawing = applied.kind == ProductionKind::homomorphism;
         set_key(frame, standing.key);
-        values_.insert(values_.end(), arguments.begin(), arguments.end());
+        values_.add(arguments);
         if constexpr (tracked) {
             if (standing.continues) return;
             frame.opens_level = frame.opens_trail = true;
