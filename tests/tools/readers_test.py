@@ -15,7 +15,7 @@ from readers.picture import Disagreement, Element, Picture, largest_distance  # 
 
 BEGIN = {"lpy": "from openalea", "cpfg": "axiom:", "houdini": "Premise:", "fractint": "Axiom"}
 WITHOUT_EFFECT = re.compile(r"maximum depth|derivation length|Generations|rinceau_lines\(")
-CHANGES = 20
+CHANGES = 5
 
 
 def accepted(reader, exported, picture, **options):
