@@ -6,11 +6,11 @@ build_packages=(g++ cmake ninja-build pkg-config
     librsvg2-dev libcairo2-dev zlib1g-dev)
 
 # To test it, on top of that.
-test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema contextfree inkscape xvfb)
+test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema
+    contextfree inkscape xvfb groff-base man-db)
 # node and npm often come from elsewhere.
 command -v node >/dev/null || test_packages+=(nodejs)
 command -v npm >/dev/null || test_packages+=(npm)
-test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema inkscape xvfb contextfree)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -30,7 +30,8 @@ say_what_to_install() {
     say "    $*"
     say "That is: a C++20 compiler (GCC 12 or newer), CMake 3.25, Ninja, pkg-config, and the development files of tinyxml2,"
     say "Eigen 3.4, nanoflann 1.4, Clipper 6 (polyclipping), CLI11 2, nlohmann-json 3, librsvg 2, cairo, zlib; for the tests also"
-    say "Catch2 2.13, rsvg-convert, Python 3 with numpy, Pillow and jsonschema, Inkscape 1.2 with Xvfb, and Context Free 3."
+    say "Catch2 2.13, rsvg-convert, Python 3 with numpy, Pillow and jsonschema, Inkscape 1.2 with Xvfb, Context Free 3,"
+    say "node with npm, groff and man."
 }
 
 # Installs what is missing of the given packages; asks for rights only if something is.

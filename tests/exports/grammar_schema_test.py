@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """grammar_schema_test.py RINCEAU PROJECT: JSON grammars are as their schema says, and every command reads them."""
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,7 +23,9 @@ def run(*arguments, status=0):
 
 with tempfile.TemporaryDirectory() as scratch:
     name = Path(scratch) / "grammar.json"
-    for sample in sorted((project / "samples").glob("*.lsys")):
+    for sample in sorted((project / "samples").glob("*.lsys")):  # which may use one another
+        shutil.copy(sample, scratch)
+    for sample in sorted(Path(scratch).glob("*.lsys")):
         name.write_bytes(run("export", sample, "--to", "json"))
         validator.validate(json.loads(name.read_text()))
         assert run("export", name, "--to", "lsys") == run("export", sample, "--to", "lsys"), sample
