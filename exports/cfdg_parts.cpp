@@ -16,8 +16,8 @@ class PartsWriter {
 
     std::string write() {
         const std::string start = names_.take("Picture");
-        for (const Look& look : graph_.looks) name_look(look);
-        for (const Part& part : graph_.parts) part_names_.push_back(part.symbol.empty() ? start : names_.take(part.symbol));
+        for (const GraphLook& look : graph_.looks) name_look(look);
+        for (const GraphPart& part : graph_.parts) part_names_.push_back(part.symbol.empty() ? start : names_.take(part.symbol));
         std::string text = cfdg_head(grammar_, start, 0);
         for (std::size_t i = graph_.parts.size(); i-- > 0;) text += shape(i) + '\n';
         return text + paths_;
@@ -32,7 +32,7 @@ class PartsWriter {
     std::vector<std::string> part_names_;
     std::string paths_;
 
-    void name_look(const Look& look) {
+    void name_look(const GraphLook& look) {
         const Terminal& terminal = grammar_.terminals[static_cast<std::size_t>(look.terminal)];
         const Style style = look_style(grammar_, look);
         note_losses(terminal, style, notes_);
@@ -44,7 +44,7 @@ class PartsWriter {
 
     /// Paint order is kept by heights: what is drawn is counted, and layers are higher than any count.
     std::string shape(std::size_t index) const {
-        const Part& part = graph_.parts[index];
+        const GraphPart& part = graph_.parts[index];
         std::string text = "shape " + part_names_[index] + " {\n";
         const double layer = static_cast<double>(graph_.parts.back().placements);
         double below = 0;

@@ -67,7 +67,7 @@ class ClonesWriter {
         return taken;
     }
 
-    const Part& part_of(const Thing& thing) const { return graph_.parts[static_cast<std::size_t>(thing.index)]; }
+    const GraphPart& part_of(const Thing& thing) const { return graph_.parts[static_cast<std::size_t>(thing.index)]; }
 
     void find_layers() {
         for (std::size_t i = 0; i < graph_.parts.size(); ++i) {
@@ -131,7 +131,7 @@ class ClonesWriter {
     }
 
     const Terminal& terminal_of(const Thing& thing) const {
-        const Look& look = graph_.looks[static_cast<std::size_t>(thing.index)];
+        const GraphLook& look = graph_.looks[static_cast<std::size_t>(thing.index)];
         return grammar_.terminals[static_cast<std::size_t>(look.terminal)];
     }
     Style style_of(const Thing& thing) const {

@@ -19,7 +19,7 @@ struct UnbalancedBrackets {};
 
 struct TurtleState {
     Similarity pose;  ///< in the frame of the part
-    Look look;        ///< but for the terminal
+    GraphLook look;        ///< but for the terminal
     int layer = 0;    ///< above the part's
 };
 
@@ -75,7 +75,7 @@ class GraphBuilder {
     }
 
     void leaf(const CompiledModule& module, std::span<const double>, const StreamPlace&) {
-        Look look = parts_.back().state.look;
+        GraphLook look = parts_.back().state.look;
         look.terminal = grammar_.terminal_of[symbol_index(module.symbol)];
         if (look.terminal < 0) return;
         const auto [place, added] = look_numbers_.try_emplace(look, static_cast<int>(graph_.looks.size()));
@@ -137,7 +137,7 @@ class GraphBuilder {
     std::vector<bool> joined_;  ///< of each open expansion: it goes on with the part around it
     bool continues_ = false;    ///< an exception is opened next
     DerivationGraph graph_;
-    std::map<Look, int> look_numbers_;
+    std::map<GraphLook, int> look_numbers_;
     std::unordered_map<std::string, int> part_numbers_;
 
     static std::size_t symbol_index(Symbol symbol) { return static_cast<std::size_t>(symbol); }
@@ -202,7 +202,7 @@ std::optional<Color> unpacked_color(int packed) {
 
 }  // namespace
 
-Style look_style(const Grammar& grammar, const Look& look) {
+Style look_style(const Grammar& grammar, const GraphLook& look) {
     const int own = grammar.terminals[static_cast<std::size_t>(look.terminal)].style;
     const Style style = StyleTable(grammar).style(look.style != 0 ? look.style : own);
     return repainted(style, {unpacked_color(look.fill), unpacked_color(look.stroke)});

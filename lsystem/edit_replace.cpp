@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "lsystem/measure_symbol.h"
-#include "lsystem/near_name.h"
 #include "lsystem/number_text.h"
 #include "lsystem/replacement_content.h"
 #include "lsystem/replacement_seats.h"
+#include "lsystem/similar_name.h"
 #include "lsystem/turtle_commands.h"
 
 namespace rinceau {
@@ -69,9 +69,9 @@ struct WrittenModule {
 /// One replacement while it is made.
 struct Task {
     const Replacement* replacement = nullptr;
-    std::vector<Instance> measured;                                ///< where the symbol stands if no other one is replaced
-    std::vector<Instance> replaced;                                ///< where it stands beside the others
-    std::map<std::pair<StringPlace, int>, WrittenModule> modules;  ///< by string and position, from `measured`
+    std::vector<SymbolInstance> measured;                                ///< where the symbol stands if no other one is replaced
+    std::vector<SymbolInstance> replaced;                                ///< where it stands beside the others
+    std::map<std::pair<WrittenString, int>, WrittenModule> modules;  ///< by string and position, from `measured`
     std::unique_ptr<OldMeasures> sizes;
     std::map<std::vector<double>, Seat> seats;
     Content content;
@@ -141,7 +141,7 @@ class Replacer {
         task.measured = find_instances(before_, symbol, {symbol}, options_.derive);
         task.replaced = symbols_.size() == 1 ? task.measured : find_instances(before_, symbol, symbols_, options_.derive);
         task.sizes = std::make_unique<OldMeasures>(before_, symbol, options_.derive);
-        for (const Instance& instance : task.measured) {
+        for (const SymbolInstance& instance : task.measured) {
             WrittenModule& module = task.modules[{instance.string, instance.position}];
             if (instance.measured) module.numbers.insert(instance.arguments);
             if (std::ranges::count(module.colourings, instance.colouring) == 0)
@@ -154,7 +154,7 @@ class Replacer {
         std::vector<Box> places;
         for (Task& task : tasks_) {
             Box largest;
-            for (const Instance& instance : task.measured) {
+            for (const SymbolInstance& instance : task.measured) {
                 if (!instance.measured) continue;
                 const Box& box = task.sizes->of(instance.arguments).box;
                 if (is_empty(largest) || diagonal(box) > diagonal(largest)) largest = box;
@@ -176,22 +176,22 @@ class Replacer {
     // Everywhere
 
     void replace_everywhere() {
-        result_.axiom = replaced(with_.axiom, {StringPlace::Kind::axiom, 0}, "");
+        result_.axiom = replaced(with_.axiom, {WrittenString::Kind::axiom, 0}, "");
         // a symbol's own productions, and those that came with the new things, stay as they are
         for (std::size_t i = 0; i < written_.productions.size(); ++i) {
             const Production& production = written_.productions[i];
             result_.productions[i].successor =
-                replaced(production.successor, {StringPlace::Kind::production, static_cast<int>(i)}, production.symbol);
+                replaced(production.successor, {WrittenString::Kind::production, static_cast<int>(i)}, production.symbol);
         }
         for (std::size_t i = 0; i < written_.exceptions.size(); ++i) {
             result_.exceptions[i].successor =
-                replaced(written_.exceptions[i].successor, {StringPlace::Kind::exception, static_cast<int>(i)}, "");
+                replaced(written_.exceptions[i].successor, {WrittenString::Kind::exception, static_cast<int>(i)}, "");
         }
         for (Task& task : tasks_) task.places = task.replaced.size();
         expect_no_endless_recursion();
     }
 
-    ModuleTemplates replaced(const ModuleTemplates& string, const StringPlace& place, const std::string& owner) {
+    ModuleTemplates replaced(const ModuleTemplates& string, const WrittenString& place, const std::string& owner) {
         ModuleTemplates result;
         bool erased = false;
         for (std::size_t i = 0; i < string.size(); ++i) {
@@ -201,7 +201,7 @@ class Replacer {
                 continue;
             }
             const ModuleTemplates part = replaced_module(*task, string[i], place, static_cast<int>(i),
-                                                         is_last(string, i, place.kind == StringPlace::Kind::axiom));
+                                                         is_last(string, i, place.kind == WrittenString::Kind::axiom));
             result.insert(result.end(), part.begin(), part.end());
             erased = erased || task->content.string.empty();
         }
@@ -212,7 +212,7 @@ class Replacer {
         return i + 1 < string.size() ? string[i + 1].symbol == "]" : ends_the_picture;
     }
 
-    ModuleTemplates replaced_module(Task& task, const ModuleTemplate& module, const StringPlace& place, int position,
+    ModuleTemplates replaced_module(Task& task, const ModuleTemplate& module, const WrittenString& place, int position,
                                     bool last) {
         const WrittenModule& written = task.modules[{place, position}];
         std::optional<Seat> seat;
@@ -243,7 +243,7 @@ class Replacer {
     Seat seat_of_unmeasured(Task& task, const ModuleTemplate& module) {
         if (const std::optional<Measure> old = task.sizes->of(module))
             return seat_of(resolved_with_, task.content, module, *old, options_);
-        for (const Instance& instance : task.measured) {
+        for (const SymbolInstance& instance : task.measured) {
             if (instance.measured) return seat_for(task, instance.arguments);
         }
         throw InputError(module.place, "expected to find " + module.symbol +
@@ -311,7 +311,7 @@ class Replacer {
 
     void replace_at(const std::vector<int>& address) {
         for (Task& task : tasks_) {
-            const auto found = std::ranges::find(task.replaced, address, &Instance::address);
+            const auto found = std::ranges::find(task.replaced, address, &SymbolInstance::address);
             if (found == task.replaced.end()) continue;
             except(task, *found);
             ++task.places;
@@ -323,7 +323,7 @@ class Replacer {
 
     std::string where_it_stands() const {
         constexpr std::size_t most_listed = 6;
-        const std::vector<Instance>& instances = tasks_.front().replaced;
+        const std::vector<SymbolInstance>& instances = tasks_.front().replaced;
         if (instances.empty()) return "";
         std::string text;
         for (std::size_t i = 0; i < std::min(instances.size(), most_listed); ++i)
@@ -331,7 +331,7 @@ class Replacer {
         return instances.size() > most_listed ? text + ", .." : text;
     }
 
-    void except(Task& task, const Instance& instance) {
+    void except(Task& task, const SymbolInstance& instance) {
         if (!instance.measured)
             throw InputError({}, "expected a module of what is derived, found " + task.replacement->symbol +
                                      " in the drawing only: replace it everywhere");
@@ -340,7 +340,7 @@ class Replacer {
         const ModuleTemplate module = with_arguments(task.replacement->symbol, instance.arguments);
         const ModuleTemplates part =
             seated(content_string(task.content, module), seat, taken_back(task, {instance.colouring}), false);
-        if (instance.string.kind != StringPlace::Kind::exception) {
+        if (instance.string.kind != WrittenString::Kind::exception) {
             result_.exceptions.push_back({.address = instance.address, .successor = part});
             return;
         }
@@ -359,7 +359,7 @@ class Replacer {
     void drop_exceptions() {
         std::vector<std::vector<int>> replaced_addresses;
         for (const Task& task : tasks_) {
-            for (const Instance& instance : task.replaced) {
+            for (const SymbolInstance& instance : task.replaced) {
                 if (options_.at.empty() || std::ranges::count(options_.at, instance.address) > 0)
                     replaced_addresses.push_back(instance.address);
             }

@@ -38,12 +38,12 @@ int exception_at(const Grammar& grammar, std::vector<int> address) {
     return -1;
 }
 
-StringPlace string_of(const Grammar& grammar, const Placement& placement) {
+WrittenString string_of(const Grammar& grammar, const Placement& placement) {
     const int production = placement.trail.back().production;
-    if (production >= 0) return {StringPlace::Kind::production, production};
+    if (production >= 0) return {WrittenString::Kind::production, production};
     constexpr int axiom = -1;
-    if (production == axiom) return {StringPlace::Kind::axiom, 0};
-    return {StringPlace::Kind::exception, exception_at(grammar, placement.address)};
+    if (production == axiom) return {WrittenString::Kind::axiom, 0};
+    return {WrittenString::Kind::exception, exception_at(grammar, placement.address)};
 }
 
 std::vector<std::vector<double>> arguments_in_order(const Grammar& stopped, const std::string& symbol,
@@ -87,17 +87,17 @@ Measure measure(const Grammar& grammar, const ModuleTemplates& string, const Der
     return result;
 }
 
-std::vector<Instance> find_instances(const Grammar& grammar, const std::string& symbol, const std::set<std::string>& stopped,
+std::vector<SymbolInstance> find_instances(const Grammar& grammar, const std::string& symbol, const std::set<std::string>& stopped,
                                      const DeriveOptions& options) {
     Grammar still = stopped_grammar(grammar, stopped);
     std::erase_if(still.terminals, [&](const Terminal& terminal) { return terminal.symbol == symbol; });
     still.terminals.push_back({.symbol = symbol});
     const int terminal = static_cast<int>(still.terminals.size()) - 1;
 
-    std::vector<Instance> instances;
+    std::vector<SymbolInstance> instances;
     const auto visit = [&](const Placement& placement) {
         if (placement.terminal != terminal) return;
-        Instance instance{.string = string_of(grammar, placement), .position = placement.trail.back().position};
+        SymbolInstance instance{.string = string_of(grammar, placement), .position = placement.trail.back().position};
         instance.address = placement.address;
         instance.colouring = {placement.style, placement.repaint};
         instances.push_back(std::move(instance));

@@ -35,16 +35,16 @@ Measure measure(const Grammar& grammar, const ModuleTemplates& string, const Der
 Box visible_box(const std::vector<Element>& elements);
 
 /// Which of a grammar's strings: the axiom, a production's or an exception's successor.
-struct StringPlace {
+struct WrittenString {
     enum class Kind : unsigned char { axiom, production, exception };
     Kind kind = Kind::axiom;
     int index = 0;
-    friend constexpr auto operator<=>(const StringPlace&, const StringPlace&) = default;
+    friend constexpr auto operator<=>(const WrittenString&, const WrittenString&) = default;
 };
 
 /// One module of the derivation.
-struct Instance {
-    StringPlace string;  ///< where it is written ..
+struct SymbolInstance {
+    WrittenString string;  ///< where it is written ..
     int position = 0;    ///< .. as the so manieth module
     std::vector<int> address;
     std::vector<double> arguments;
@@ -55,7 +55,7 @@ struct Instance {
 
 /// Where `symbol` stands in the derivation of a grammar when no symbol of `stopped` is rewritten (`symbol` is one of them),
 /// in order of derivation: what the symbols of `stopped` put in their own places does not count. Throws as interpret().
-std::vector<Instance> find_instances(const Grammar& grammar, const std::string& symbol, const std::set<std::string>& stopped,
+std::vector<SymbolInstance> find_instances(const Grammar& grammar, const std::string& symbol, const std::set<std::string>& stopped,
                                      const DeriveOptions& options = {});
 
 }  // namespace rinceau

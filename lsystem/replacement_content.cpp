@@ -5,7 +5,7 @@
 #include "lsystem/drawing_terminals.h"
 #include "lsystem/measure_symbol.h"
 #include "lsystem/merge_grammar.h"
-#include "lsystem/near_name.h"
+#include "lsystem/similar_name.h"
 #include "lsystem/turtle_commands.h"
 #include "lsystem/unfolded_exceptions.h"
 
@@ -152,7 +152,7 @@ class ContentMaker {
         content.given_arguments = !string.front().arguments.empty();
         if (content.given_arguments || content.arities.empty() || content.arities.contains(0)) return content;
         const std::string& symbol = string.front().symbol;
-        const std::vector<Instance> instances = find_instances(grammar, symbol, {symbol}, options_.derive);
+        const std::vector<SymbolInstance> instances = find_instances(grammar, symbol, {symbol}, options_.derive);
         if (!instances.empty() && instances.front().measured) {
             for (const double value : instances.front().arguments)
                 content.string.front().arguments.push_back(number_expression(value));

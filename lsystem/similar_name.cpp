@@ -62,4 +62,16 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string_vi
     return meant.empty() ? "" : " (did you mean '" + std::string(meant) + "'?)";
 }
 
+std::string instead_of(std::string_view name, const std::vector<std::string>& known) {
+    const std::string_view meant = similar_name(name, {known.begin(), known.end()});
+    if (!meant.empty()) return ": did you mean '" + std::string(meant) + "'?";
+    if (known.empty()) return "";
+    constexpr std::size_t most_listed = 12;
+    const std::size_t listed = std::min(known.size(), most_listed);
+    std::string text = ": there is ";
+    for (std::size_t i = 0; i < listed; ++i) text += (i == 0 ? "" : ", ") + known[i];
+    if (listed < known.size()) text += " and " + std::to_string(known.size() - listed) + " more";
+    return text;
+}
+
 }  // namespace rinceau

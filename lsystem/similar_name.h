@@ -1,5 +1,5 @@
 #pragma once
-// Which known name an unknown one was perhaps meant to be. Internal to the folder.
+// Which known name an unknown one was perhaps meant to be.
 
 #include <string>
 #include <string_view>
@@ -17,5 +17,8 @@ std::string_view similar_name(std::string_view name, const std::vector<std::stri
 
 /// " (did you mean 'Window'?)", or nothing.
 std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& names);
+
+/// ": did you mean 'Window'?", or, if nothing is like it, ": there is A, B, C and 4 more"; empty for no known names.
+std::string instead_of(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace rinceau

@@ -5,6 +5,7 @@
 #   - an include of a package outside the place that it is meant for
 #   - an include of a header that the folder's CMakeLists.txt lists later, or a source that it does not list
 #   - a source of more than 500 lines
+#   - a type of a header that a header elsewhere has by the same name: all share one namespace, and the linker keeps one of both
 cmake_minimum_required(VERSION 3.25)
 
 set(folders geometry scene lsystem analyzer exports growth cli editor)
@@ -75,6 +76,26 @@ macro(check_size file)
   endif()
 endmacro()
 
+# Global because macros of a loop share it: "name of a type;its header".
+set(type_names "")
+set(type_files "")
+
+macro(check_types file)
+  if("${file}" MATCHES "\\.h$")
+    file(STRINGS "${ROOT}/${file}" type_lines REGEX "^(struct|class|enum class) [A-Za-z]+.*{")
+    foreach(line IN LISTS type_lines)
+      string(REGEX REPLACE "^(struct|class|enum class) ([A-Za-z]+).*" "\\2" type "${line}")
+      list(FIND type_names "${type}" type_place)
+      if(type_place GREATER_EQUAL 0)
+        list(GET type_files ${type_place} type_file)
+        fault("${file}" "defines ${type}, which ${type_file} defines, too")
+      endif()
+      list(APPEND type_names "${type}")
+      list(APPEND type_files "${file}")
+    endforeach()
+  endif()
+endmacro()
+
 macro(check_packages file includes)
   foreach(target ${includes})
     foreach(package IN LISTS packages)
@@ -124,6 +145,9 @@ foreach(folder IN LISTS folders ITEMS tests)
     math(EXPR checked "${checked} + 1")
     read_includes("${file}" includes)
     check_size("${file}")
+    if(NOT folder STREQUAL "tests")
+      check_types("${file}")
+    endif()
     check_packages("${file}" "${includes}")
     if(NOT folder STREQUAL "tests")
       check_folders("${folder}" "${file}" "${includes}")

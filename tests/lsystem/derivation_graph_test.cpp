@@ -12,7 +12,7 @@ using namespace rinceau;
 static Grammar grammar_of(const std::string& body) { return parse_grammar("lsystem 1\n" + body); }
 
 struct Placed {
-    Look look;
+    GraphLook look;
     Similarity pose;
     int layer = 0;
 };
@@ -56,7 +56,7 @@ TEST_CASE("the parts of a picture are what its rules say, once each") {
     const auto graph = derivation_graph(grammar_of(facade));
     REQUIRE(graph);
     std::vector<std::string> symbols;
-    for (const Part& part : graph->parts) symbols.push_back(part.symbol);
+    for (const GraphPart& part : graph->parts) symbols.push_back(part.symbol);
     // under style 2 the same rules make other parts
     CHECK(symbols == std::vector<std::string>{"Window", "Windows", "Storeys", "Window", "Windows", "Storeys", ""});
     CHECK(graph->parts[1].items.size() == 5);
