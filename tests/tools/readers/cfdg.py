@@ -64,7 +64,10 @@ def read(exported, picture, folder):
     if picture.canvas:
         ratio = WIDEST / max(picture.canvas[2:])
         size = ["-s", f"{math.ceil(picture.canvas[2] * ratio)}x{math.ceil(picture.canvas[3] * ratio)}"]
-    done = subprocess.run(["cfdg", "-q", "-V", *size, str(exported), str(output)], capture_output=True, text=True, timeout=120)
+    # lines of one width in all sizes come out of cfdg's SVG, and of it only, where the first of them is
+    scaling = folder / "scaling.cfdg"
+    scaling.write_text(exported.read_text().replace(" + CF::IsoWidth", "").replace(", CF::IsoWidth", ""))
+    done = subprocess.run(["cfdg", "-q", "-V", *size, str(scaling), str(output)], capture_output=True, text=True, timeout=120)
     if done.returncode != 0 or not output.exists():
         raise Disagreement("cfdg: " + " ".join(done.stderr.split()))
     root = tree.parse(output).getroot()

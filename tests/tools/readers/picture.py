@@ -21,16 +21,20 @@ class Element:
 
 
 def path_points(data):
-    """End and control points of path data with the commands M L H V C Z, absolute or relative, n x 2."""
-    points, at, start = [], (0.0, 0.0), (0.0, 0.0)
+    """End and control points of path data with the commands M L H V C Z, absolute or relative, n x 2. A line back to the start
+    right before Z is left out, as programs do that write the path again."""
+    points, at, start, last = [], (0.0, 0.0), (0.0, 0.0), ""
     for command, text in re.findall(r"([A-DF-Za-df-z])([^A-DF-Za-df-z]*)", data):
         if command.upper() not in COUNTS:
             raise Disagreement(f"path command {command} in {data[:60]}")
         numbers = [float(number) for number in NUMBER.findall(text)]
         size = COUNTS[command.upper()]
         if size == 0:
+            if last in "LHV" and math.dist(at, start) <= 1e-6 * max(map(abs, (*start, 1e-300))):
+                points.pop()
             at = start
             continue
+        last = command.upper()
         for first in range(0, len(numbers), size):
             part = numbers[first:first + size]
             x, y = at if command.islower() else (0.0, 0.0)
