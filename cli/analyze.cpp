@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "cli/exit_status.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/number_range.h"
 #include "cli/progress_bar.h"

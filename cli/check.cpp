@@ -1,7 +1,7 @@
 // rinceau check: what is wrong with a grammar, and where.
 
 #include "cli/exit_status.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
 #include "lsystem/grammar_text.h"

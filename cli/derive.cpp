@@ -3,8 +3,8 @@
 #include "lsystem/derive.h"
 #include "cli/derive_options.h"
 #include "cli/exit_status.h"
-#include "cli/files.h"
-#include "cli/output_file.h"
+#include "files/files.h"
+#include "files/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/verbs.h"
 

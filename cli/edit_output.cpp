@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "cli/derive_options.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/progress_bar.h"
 #include "lsystem/check_edit.h"

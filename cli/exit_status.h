@@ -1,8 +1,6 @@
 #pragma once
 // What the program's exit status says.
 
-#include <stdexcept>
-
 namespace rinceau {
 
 namespace exit_status {
@@ -12,11 +10,5 @@ constexpr int command_line_at_fault = 2;
 constexpr int limit_reached = 3;
 constexpr int output_not_written = 4;
 }  // namespace exit_status
-
-/// An output could not be written; what() reads "name: reason".
-class OutputError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 }  // namespace rinceau

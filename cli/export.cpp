@@ -4,7 +4,7 @@
 
 #include "cli/derive_options.h"
 #include "cli/exit_status.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
 #include "exports/export_formats.h"

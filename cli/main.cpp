@@ -13,6 +13,7 @@
 #include "cli/exit_status.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
+#include "files/output_error.h"
 #include "scene/input_error.h"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include "cli/completion.h"
 #include "cli/exit_status.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/manual_page.h"
 #include "cli/verbs.h"
 

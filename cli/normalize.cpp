@@ -1,7 +1,7 @@
 // rinceau normalize: the drawing as the importer understood it.
 
 #include "cli/exit_status.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
 #include "scene/svg_read.h"

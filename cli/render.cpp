@@ -4,8 +4,8 @@
 
 #include "cli/derive_options.h"
 #include "cli/exit_status.h"
-#include "cli/files.h"
-#include "cli/output_file.h"
+#include "files/files.h"
+#include "files/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/verbs.h"
 #include "lsystem/grammar_text.h"

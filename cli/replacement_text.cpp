@@ -5,7 +5,7 @@
 
 #include <CLI/Error.hpp>
 
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "lsystem/grammar_text.h"
 #include "scene/svg_read.h"

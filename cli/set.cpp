@@ -5,7 +5,7 @@
 #include "cli/derive_options.h"
 #include "cli/edit_output.h"
 #include "cli/exit_status.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/numbers_output.h"
 #include "cli/verbs.h"

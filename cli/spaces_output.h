@@ -4,7 +4,7 @@
 #include <string>
 
 #include "analyzer/instancing.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "scene/element.h"
 
 namespace rinceau {

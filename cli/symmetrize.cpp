@@ -5,7 +5,7 @@
 #include "analyzer/analyze.h"
 #include "cli/edit_output.h"
 #include "cli/exit_status.h"
-#include "cli/files.h"
+#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/progress_bar.h"
 #include "cli/rules_text.h"

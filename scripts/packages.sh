@@ -3,11 +3,12 @@
 # To build and run the program.
 build_packages=(g++ cmake ninja-build pkg-config
     libtinyxml2-dev libeigen3-dev libnanoflann-dev libpolyclipping-dev libcli11-dev nlohmann-json3-dev
-    librsvg2-dev libcairo2-dev zlib1g-dev)
+    librsvg2-dev libcairo2-dev zlib1g-dev
+    libglfw3-dev libimgui-dev libglm-dev libepoxy-dev libagg2-dev libglu1-mesa-dev fonts-dejavu-core)
 
 # To test it, on top of that.
 test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema
-    contextfree inkscape xvfb groff-base man-db)
+    contextfree inkscape xvfb xauth xdotool imagemagick libgl1-mesa-dri groff-base man-db)
 # node and npm often come from elsewhere.
 command -v node >/dev/null || test_packages+=(nodejs)
 command -v npm >/dev/null || test_packages+=(npm)
@@ -29,9 +30,9 @@ say_what_to_install() {
     say "Install these by your system's own means and start again (the names are Debian's):"
     say "    $*"
     say "That is: a C++20 compiler (GCC 12 or newer), CMake 3.25, Ninja, pkg-config, and the development files of tinyxml2,"
-    say "Eigen 3.4, nanoflann 1.4, Clipper 6 (polyclipping), CLI11 2, nlohmann-json 3, librsvg 2, cairo, zlib; for the tests also"
-    say "Catch2 2.13, rsvg-convert, Python 3 with numpy, Pillow and jsonschema, Inkscape 1.2 with Xvfb, Context Free 3,"
-    say "node with npm, groff and man."
+    say "Eigen 3.4, nanoflann 1.4, Clipper 6 (polyclipping), CLI11 2, nlohmann-json 3, librsvg 2, cairo, zlib, GLFW 3.3, Dear ImGui 1.86, GLM, libepoxy, GLU, AGG 2.6;"
+    say "for the tests also Catch2 2.13, rsvg-convert, Python 3 with numpy, Pillow and jsonschema, Inkscape 1.2 with Xvfb and xdotool,"
+    say "Context Free 3, ImageMagick, node with npm, groff and man."
 }
 
 # Installs what is missing of the given packages; asks for rights only if something is.

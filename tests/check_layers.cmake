@@ -1,25 +1,26 @@
 # Do the arrows between folders run one way?  cmake -D ROOT=<tree> -P check_layers.cmake
 #
 # Fails, naming file and reason, on
-#   - an include of a folder to the right in  geometry <- scene <- lsystem <- {analyzer, exports, growth} <- {cli, editor}
+#   - an include of a folder to the right in  geometry <- scene <- lsystem <- {analyzer, exports, growth} <- files <- {cli, editor}
 #   - an include of a package outside the place that it is meant for
 #   - an include of a header that the folder's CMakeLists.txt lists later, or a source that it does not list
 #   - a source of more than 500 lines
 #   - a type of a header that a header elsewhere has by the same name: all share one namespace, and the linker keeps one of both
 cmake_minimum_required(VERSION 3.25)
 
-set(folders geometry scene lsystem analyzer exports growth cli editor)
+set(folders geometry scene lsystem analyzer exports growth files cli editor)
 set(uses_geometry geometry)
 set(uses_scene geometry scene)
 set(uses_lsystem geometry scene lsystem)
 set(uses_analyzer geometry scene lsystem analyzer)
 set(uses_exports geometry scene lsystem exports)
 set(uses_growth geometry scene lsystem growth)
-set(uses_cli geometry scene lsystem analyzer exports growth cli)
-set(uses_editor geometry scene lsystem analyzer exports growth editor)
+set(uses_files geometry scene lsystem exports files)
+set(uses_cli geometry scene lsystem analyzer exports growth files cli)
+set(uses_editor geometry scene lsystem analyzer exports growth files editor)
 
 # package: what its includes look like, and the files that may have them
-set(packages tinyxml2 nanoflann clipper librsvg opengl cli11 json catch2)
+set(packages tinyxml2 nanoflann clipper librsvg agg opengl cli11 json catch2)
 set(include_tinyxml2 "^tinyxml2")
 set(place_tinyxml2 "^scene/svg_[a-z0-9_]+\\.(h|cpp)$|^tests/scene/")
 set(include_nanoflann "^nanoflann")
@@ -28,12 +29,14 @@ set(include_clipper "^(polyclipping/)?clipper\\.hpp$")
 set(place_clipper "^scene/|^geometry/")
 set(include_librsvg "^(librsvg/|cairo|rsvg)")
 set(place_librsvg "^scene/svg_raster\\.cpp$|^tests/scene/")
-set(include_opengl "^(GLFW/|GL/|GLES|EGL/|epoxy/|glm/|imgui)")
+set(include_opengl "^(GLFW/|GL/|GLES|EGL/|epoxy/|glm/|imgui|backends/imgui)")
 set(place_opengl "^editor/|^tests/editor/")
+set(include_agg "^agg")
+set(place_agg "^editor/mesh/")
 set(include_cli11 "^CLI/")
-set(place_cli11 "^cli/")
+set(place_cli11 "^cli/|^editor/main/")
 set(include_json "^nlohmann/")
-set(place_json "^cli/|^exports/json_[a-z0-9_]+\\.(h|cpp)$|^tests/")
+set(place_json "^cli/|^editor/model/[a-z_]*json\\.cpp$|^exports/json_[a-z0-9_]+\\.(h|cpp)$|^tests/")
 set(include_catch2 "^catch2/")
 set(place_catch2 "^tests/")
 

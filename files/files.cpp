@@ -1,4 +1,4 @@
-#include "cli/files.h"
+#include "files/files.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "cli/output_file.h"
+#include "files/output_file.h"
 #include "exports/json_grammar.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/resolve_uses.h"

@@ -1,4 +1,4 @@
-#include "cli/signals_held.h"
+#include "files/signals_held.h"
 
 #include <array>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/signals_held.h"
+#include "files/signals_held.h"
 
 namespace rinceau {
 

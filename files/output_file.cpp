@@ -1,4 +1,4 @@
-#include "cli/output_file.h"
+#include "files/output_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "cli/exit_status.h"
+#include "files/output_error.h"
 
 namespace rinceau {
 namespace {

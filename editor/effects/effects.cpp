@@ -1,0 +1,123 @@
+#include "editor/effects/effects.h"
+
+#include <exception>
+#include <utility>
+
+#include "analyzer/analyze.h"
+#include "editor/effects/read_document.h"
+#include "editor/effects/write_export.h"
+#include "files/files.h"
+#include "files/output_error.h"
+#include "lsystem/grammar_text.h"
+#include "scene/input_error.h"
+
+namespace rinceau {
+namespace {
+
+/// What is allowed to a picture that is derived between two frames.
+constexpr double seconds_at_once = 0.05;
+constexpr std::uint64_t modules_at_once = 1'000'000;
+
+/// Runs the work; what it throws is told by `fail`. JobCancelled passes.
+void guarded(const std::function<void()>& work, const std::function<void(std::string)>& fail) {
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        fail("The memory does not suffice");
+    } catch (const std::exception& error) {
+        fail(error.what());
+    }
+}
+
+}  // namespace
+
+Effects::Effects(ActionQueue& answers)
+    : answers_(answers),
+      files_([this](Action action) { answers_.post(std::move(action)); }),
+      pictures_([this](Action action) { answers_.post(std::move(action)); }),
+      analyses_([this](Action action) { answers_.post(std::move(action)); }) {}
+
+void Effects::fulfil(const Request& request) {
+    std::visit([this](const auto& known) { one(known); }, request);
+}
+
+void Effects::one(const ReadDocument& request) {
+    files_.start([path = request.path](const Progress&, const Worker::Post& post) {
+        guarded([&] { post(FileAction{read_document(path)}); },
+                [&](std::string message) {
+                    post(FileAction{FileFailed{path, std::move(message)}});
+                });
+    });
+}
+
+void Effects::one(const WriteDocument& request) {
+    guarded(
+        [&] {
+            write_output(request.path, to_text(*request.document.grammar));
+            answers_.post(FileAction{FileSaved{request.path, request.document.grammar}});
+        },
+        [&](std::string message) {
+            answers_.post(FileAction{SaveFailed{request.path, std::move(message)}});
+        });
+}
+
+void Effects::one(const WriteExport& request) {
+    guarded(
+        [&] {
+            answers_.post(
+                FileAction{FileExported{request.path, write_export(request.document, request.path, request.format)}});
+        },
+        [&](std::string message) {
+            answers_.post(FileAction{SaveFailed{request.path, std::move(message)}});
+        });
+}
+
+void Effects::one(const DerivePicture& request) {
+    pictures_.stop();
+    const auto answer = [revision = request.revision](DerivedPicture picture) {
+        return CanvasAction{PictureDerived{revision, std::make_shared<const DerivedPicture>(std::move(picture))}};
+    };
+    Document quick = request.document;
+    quick.derive.max_seconds = seconds_at_once;
+    quick.derive.max_modules = modules_at_once;
+    try {
+        answers_.post(answer(derive_picture(quick)));
+        return;
+    } catch (const LimitError&) {  // takes longer: below
+    } catch (const std::exception& error) {
+        answers_.post(CanvasAction{PictureFailed{request.revision, error.what()}});
+        return;
+    }
+    pictures_.start([request, answer](const Progress& progress, const Worker::Post& post) {
+        guarded([&] { post(answer(derive_picture(request.document, progress))); },
+                [&](std::string message) {
+                    post(CanvasAction{PictureFailed{request.revision, std::move(message)}});
+                });
+    });
+}
+
+void Effects::one(const RunAnalysis& request) {
+    job_ = request.job;
+    analyses_.start([request](const Progress& progress, const Worker::Post& post) {
+        const Progress told = [&](std::string_view stage, double fraction) {
+            progress(stage, fraction);
+            post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
+        };
+        guarded(
+            [&] {
+                post(AnalysisAction{AnalysisDone{request.job, analyze(*request.drawing, request.options, told)}});
+            },
+            [&](std::string message) {
+                post(AnalysisAction{AnalysisFailed{request.job, std::move(message)}});
+            });
+    });
+}
+
+void Effects::one(const StopAnalysis&) {
+    analyses_.stop();
+    answers_.post(AnalysisAction{AnalysisFailed{job_, {}}});
+}
+
+void Effects::one(const CloseWindow&) { closing_ = true; }
+
+}  // namespace rinceau

@@ -1,0 +1,39 @@
+#pragma once
+// Fulfils what update() asks for.
+
+#include <functional>
+#include <memory>
+
+#include "editor/effects/action_queue.h"
+#include "editor/effects/worker.h"
+#include "editor/model/request.h"
+
+namespace rinceau {
+
+/// Pictures that were quick to derive are derived at once, so that a drag is seen in the same frame; the others, files and
+/// analyses on threads. Answers come through the queue. Never throws.
+class Effects {
+  public:
+    explicit Effects(ActionQueue& answers);
+
+    void fulfil(const Request& request);
+    bool wants_to_close() const { return closing_; }
+
+  private:
+    void one(const ReadDocument& request);
+    void one(const WriteDocument& request);
+    void one(const WriteExport& request);
+    void one(const DerivePicture& request);
+    void one(const RunAnalysis& request);
+    void one(const StopAnalysis& request);
+    void one(const CloseWindow& request);
+
+    ActionQueue& answers_;
+    Worker files_;
+    Worker pictures_;
+    Worker analyses_;
+    std::uint64_t job_ = 0;  ///< of the analysis that runs
+    bool closing_ = false;
+};
+
+}  // namespace rinceau

@@ -1,0 +1,14 @@
+#pragma once
+// From a file to a document.
+
+#include <string>
+
+#include "editor/model/file_actions.h"
+
+namespace rinceau {
+
+/// An SVG becomes a document with a drawing and an empty grammar, a .lsys or its JSON one with that grammar. Throws
+/// InputError and LimitError.
+FileOpened read_document(const std::string& path);
+
+}  // namespace rinceau

@@ -1,0 +1,19 @@
+#pragma once
+// Everything that can happen to the editor.
+
+#include <variant>
+#include <vector>
+
+#include "editor/model/analysis_actions.h"
+#include "editor/model/canvas_actions.h"
+#include "editor/model/file_actions.h"
+#include "editor/model/rules_actions.h"
+#include "editor/model/shell_actions.h"
+#include "editor/model/tools_actions.h"
+
+namespace rinceau {
+
+using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction>;
+using Actions = std::vector<Action>;
+
+}  // namespace rinceau

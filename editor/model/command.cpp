@@ -1,0 +1,15 @@
+#include "editor/model/command.h"
+
+#include <utility>
+
+namespace rinceau {
+
+std::vector<Command> all_commands() {
+    std::vector<Command> all;
+    for (const auto area :
+         {file_commands, rules_commands, canvas_commands, tools_commands, analysis_commands, shell_commands})
+        for (Command& command : area()) all.push_back(std::move(command));
+    return all;
+}
+
+}  // namespace rinceau

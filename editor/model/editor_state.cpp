@@ -1,0 +1,21 @@
+#include "editor/model/editor_state.h"
+
+#include "lsystem/grammar_text.h"
+
+namespace rinceau {
+
+EditorState initial_state() {
+    EditorState state;
+    state.document = empty_document();
+    state.file.saved_grammar = state.document.grammar;
+    return state;
+}
+
+const Document& shown_document(const EditorState& state) { return state.preview ? *state.preview : state.document; }
+
+bool has_unsaved_changes(const EditorState& state) {
+    return state.document.grammar != state.file.saved_grammar &&
+           (!state.file.saved_grammar || to_text(*state.document.grammar) != to_text(*state.file.saved_grammar));
+}
+
+}  // namespace rinceau

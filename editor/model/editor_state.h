@@ -1,0 +1,58 @@
+#pragma once
+// All that the editor knows, as one value.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/model/analysis_state.h"
+#include "editor/model/canvas_state.h"
+#include "editor/model/derived_picture.h"
+#include "editor/model/document.h"
+#include "editor/model/file_state.h"
+#include "editor/model/history.h"
+#include "editor/model/rules_state.h"
+#include "editor/model/shell_state.h"
+#include "editor/model/tools_state.h"
+
+namespace rinceau {
+
+enum class MessageKind : unsigned char { note, warning, mistake };
+
+/// What happened and what to do, for the user.
+struct EditorMessage {
+    MessageKind kind = MessageKind::note;
+    std::string text;
+};
+
+struct EditorState {
+    Document document;
+    History history;
+    std::optional<Document> preview;  ///< what is shown instead while something is dragged
+    std::string preview_label;        ///< what the edit will be called
+    std::uint64_t revision = 0;       ///< of what is shown; grows with each change
+
+    std::shared_ptr<const DerivedPicture> picture;  ///< the last that could be derived; null at first
+    std::uint64_t picture_revision = 0;             ///< of what it shows
+    std::string picture_mistake;                    ///< why what is shown has no picture; empty = it has, or will have
+
+    FileState file;
+    RulesState rules;
+    ToolsState tools;
+    CanvasState canvas;
+    AnalysisState analysis;
+    ShellState shell;
+    std::vector<EditorMessage> messages;  ///< oldest first
+};
+
+/// A state with an empty document.
+EditorState initial_state();
+
+/// What is to be seen: the preview, or the document.
+const Document& shown_document(const EditorState& state);
+
+bool has_unsaved_changes(const EditorState& state);
+
+}  // namespace rinceau

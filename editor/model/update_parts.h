@@ -1,0 +1,38 @@
+#pragma once
+// What the parts of update() share. Internal to the folder.
+
+#include <functional>
+#include <string>
+
+#include "editor/model/update.h"
+#include "lsystem/edit_result.h"
+
+namespace rinceau {
+
+// One file each.
+void perform(Update& update, const FileAction& action);
+void perform(Update& update, const RulesAction& action);
+void perform(Update& update, const ToolsAction& action);
+void perform(Update& update, const CanvasAction& action);
+void perform(Update& update, const AnalysisAction& action);
+void perform(Update& update, const ShellAction& action);
+
+void tell(Update& update, MessageKind kind, std::string text);
+
+/// What is shown is another one: its picture is asked for.
+void show_anew(Update& update);
+
+/// The document becomes `after`, and undo brings back the one from before. Drops a preview.
+void record_edit(Update& update, Document after, const std::string& label);
+
+/// The edit of the document's grammar is made, checked (lsystem/check_edit.h) and recorded, and what it changed is told.
+/// If it throws InputError or LimitError this is told and nothing changes.
+void edit_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
+
+/// The same as a preview of what the document would be; what goes wrong is not told while the mouse moves.
+void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
+
+/// Another document takes the place of all: history, preview and selection begin anew.
+void replace_document(Update& update, Document document);
+
+}  // namespace rinceau

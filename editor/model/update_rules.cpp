@@ -1,0 +1,57 @@
+// Rules: numbers, and undo.
+
+#include "editor/model/update_parts.h"
+#include "lsystem/set_numbers.h"
+
+namespace rinceau {
+namespace {
+
+void perform_one(Update& update, const SetNumber& action) {
+    const auto edit = [&](const Grammar& grammar) {
+        const NumberEdit number{.name = action.name, .value = number_expression(action.value)};
+        return set_numbers(grammar, {&number, 1});
+    };
+    const std::string label = "set " + action.name;
+    if (action.preview) {
+        preview_grammar(update, label, edit);
+    } else {
+        edit_grammar(update, label, edit);
+    }
+}
+
+void perform_one(Update& update, const CommitPreview&) {
+    if (!update.state.preview) return;
+    Document after = std::move(*update.state.preview);
+    record_edit(update, std::move(after), update.state.preview_label);
+}
+
+void perform_one(Update& update, const DropPreview&) {
+    if (!update.state.preview) return;
+    update.state.preview.reset();
+    show_anew(update);
+}
+
+void move_in_history(Update& update, HistoryMove move, const char* what) {
+    if (move.label.empty()) return;
+    tell(update, MessageKind::note, what + move.label);
+    update.state.document = std::move(move.document);
+    update.state.history = std::move(move.history);
+    update.state.preview.reset();
+    show_anew(update);
+}
+
+void perform_one(Update& update, const UndoEdit&) {
+    move_in_history(update, undone(update.state.document, update.state.history), "Undone: ");
+}
+
+void perform_one(Update& update, const RedoEdit&) {
+    move_in_history(update, redone(update.state.document, update.state.history), "Redone: ");
+}
+
+}  // namespace
+
+void perform(Update& update, const RulesAction& action) {
+    std::visit([&](const auto& one) { perform_one(update, one); }, action);
+}
+
+}  // namespace rinceau

@@ -1,0 +1,40 @@
+#pragma once
+// What every panel gets and gives: it takes the state, draws itself with Dear ImGui and returns what the user did.
+
+#include <string>
+#include <vector>
+
+#include "editor/model/action.h"
+#include "editor/model/editor_state.h"
+
+namespace rinceau {
+
+/// Where a widget stands on the screen, in framebuffer pixels from the window's upper left corner: for tests and for
+/// pictures in the documentation.
+struct WidgetPlace {
+    std::string name;  ///< "rules/Row.count", "toolbar/Save"
+    float left = 0, top = 0, right = 0, bottom = 0;
+};
+
+struct PanelTools {
+    float scale = 1;                             ///< of the display
+    unsigned canvas_texture = 0;                 ///< of PictureRenderer
+    std::vector<WidgetPlace>* places = nullptr;  ///< null = nobody asks
+};
+
+/// Notes the place of the widget that was drawn last.
+void note_place(const PanelTools& tools, const std::string& name);
+
+// Each in the file of its name. They draw into the current window or child; dialogs open windows of their own.
+Actions canvas_panel(const EditorState& state, const PanelTools& tools);
+Actions rules_panel(const EditorState& state, const PanelTools& tools);
+Actions terminals_panel(const EditorState& state, const PanelTools& tools);
+Actions tools_panel(const EditorState& state, const PanelTools& tools);
+Actions analysis_panel(const EditorState& state, const PanelTools& tools);
+Actions log_panel(const EditorState& state, const PanelTools& tools);
+Actions file_dialogs(const EditorState& state, const PanelTools& tools);
+
+/// The whole window: menu, panels, canvas, status line.
+Actions editor_window(const EditorState& state, const PanelTools& tools);
+
+}  // namespace rinceau
