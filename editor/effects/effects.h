@@ -1,10 +1,12 @@
 #pragma once
 // Fulfils what update() asks for.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
 #include "editor/effects/action_queue.h"
+#include "editor/effects/errands.h"
 #include "editor/effects/worker.h"
 #include "editor/model/request.h"
 
@@ -27,6 +29,12 @@ class Effects {
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const CloseWindow& request);
+    void one(const StopExport& request);
+    void one(const HoldFile& request);
+    void one(const ListFolder& request);
+    void one(const MakeFolder& request);
+    void one(const LookAtPath& request);
+    void answer_folder(const std::function<FolderListed()>& list);
 
     ActionQueue& answers_;
     Worker files_;
@@ -34,6 +42,9 @@ class Effects {
     Worker analyses_;
     std::uint64_t job_ = 0;  ///< of the analysis that runs
     bool closing_ = false;
+    std::shared_ptr<std::atomic<bool>> export_stopped_;  ///< of the last export
+    Errands looks_;                                      ///< at folders
+    Errands writes_;  ///< last: waits for what is to be written while all else is still there
 };
 
 }  // namespace rinceau

@@ -33,6 +33,9 @@ Document empty_document();
 /// The document with another grammar. Throws as resolve_uses().
 Document with_grammar(const Document& document, Grammar grammar);
 
+/// The same versions of grammar and drawing, and equal options and locks: quick, for every frame.
+bool same_version(const Document& a, const Document& b);
+
 /// The same content: grammars and options compare by what they say, drawings and reports by identity.
 bool same_document(const Document& a, const Document& b);
 

@@ -1,21 +1,23 @@
 #include "editor/model/editor_state.h"
 
-#include "lsystem/grammar_text.h"
+#include "editor/model/file_kind.h"
 
 namespace rinceau {
 
 EditorState initial_state() {
     EditorState state;
     state.document = empty_document();
-    state.file.saved_grammar = state.document.grammar;
+    state.file.saved = state.document;
     return state;
 }
 
 const Document& shown_document(const EditorState& state) { return state.preview ? *state.preview : state.document; }
 
 bool has_unsaved_changes(const EditorState& state) {
-    return state.document.grammar != state.file.saved_grammar &&
-           (!state.file.saved_grammar || to_text(*state.document.grammar) != to_text(*state.file.saved_grammar));
+    const FileKind kind = kind_of_name(state.file.path);
+    const bool grammar_alone = kind == FileKind::grammar || kind == FileKind::json_grammar;
+    if (grammar_alone) return state.document.grammar != state.file.saved.grammar;
+    return !same_version(state.document, state.file.saved);
 }
 
 }  // namespace rinceau

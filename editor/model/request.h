@@ -2,12 +2,15 @@
 // What update() asks of the world outside; effects/ fulfils it and answers with actions.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "analyzer/analyze.h"
 #include "editor/model/document.h"
+#include "editor/model/file_actions.h"
+#include "editor/model/view_transform.h"
 
 namespace rinceau {
 
@@ -15,16 +18,41 @@ namespace rinceau {
 struct ReadDocument {
     std::string path;
 };
-/// The grammar of the document to a .lsys file. Answered by FileSaved or SaveFailed.
+/// Answered by FileSaved, SaveFailed, WouldReplace if another file stands there and `replace` is false, or
+/// FileChangedOutside if the file is not the `expected` one.
 struct WriteDocument {
     std::string path;
     Document document;
+    ViewTransform view;
+    bool replace = false;
+    std::optional<FileStamp> expected;
 };
-/// Answered by FileExported or SaveFailed.
+/// Answered by ExportProgress and FileExported, ExportFailed or WouldReplace.
 struct WriteExport {
-    std::string path;
-    std::string format;
+    ExportFile what;
     Document document;
+};
+/// Answered by ExportFailed, once nothing will be written any more.
+struct StopExport {};
+/// This window has the file open now (empty = none): other windows are warned. Warns by FileHeldElsewhere.
+struct HoldFile {
+    std::string path;
+};
+// Folders are named absolutely, with ~, or relative to `from` (empty = where the program was started).
+/// Answered by FolderListed or FolderFailed; a later one takes its place.
+struct ListFolder {
+    std::string folder;
+    std::string from;
+};
+/// Makes it and lists it.
+struct MakeFolder {
+    std::string folder;
+    std::string from;
+};
+/// Answered by PathSeen.
+struct LookAtPath {
+    std::string path;
+    std::string from;
 };
 /// Answered by PictureDerived or PictureFailed; a later one takes its place.
 struct DerivePicture {
@@ -40,8 +68,8 @@ struct RunAnalysis {
 struct StopAnalysis {};
 struct CloseWindow {};
 
-using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, CloseWindow>;
+using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, CloseWindow,
+                             StopExport, HoldFile, ListFolder, MakeFolder, LookAtPath>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

@@ -32,7 +32,7 @@ void perform_one(Update& update, const AnalysisDone& action) {
     EditorState& state = update.state;
     if (action.job != state.analysis.job || !state.analysis.running) return;
     state.analysis.running = false;
-    const bool first = !state.document.report;
+    const bool first = state.file.awaits_rules && same_version(state.document, state.file.saved);
     Document after = with_grammar(state.document, action.analysis.grammar);
     after.report = std::make_shared<const AnalysisReport>(action.analysis.report);
     for (const std::string& warning : after.report->warnings) tell(update, MessageKind::warning, warning);
@@ -41,7 +41,8 @@ void perform_one(Update& update, const AnalysisDone& action) {
         return;
     }
     state.document = std::move(after);  // nothing to go back to: the drawing is as it was opened
-    state.file.saved_grammar = state.document.grammar;
+    state.file.awaits_rules = false;
+    state.file.saved = state.document;
     show_anew(update);
 }
 

@@ -16,6 +16,7 @@ void perform(Update& update, const ToolsAction& action);
 void perform(Update& update, const CanvasAction& action);
 void perform(Update& update, const AnalysisAction& action);
 void perform(Update& update, const ShellAction& action);
+void perform(Update& update, const DialogAction& action);
 
 void tell(Update& update, MessageKind kind, std::string text);
 
