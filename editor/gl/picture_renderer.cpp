@@ -9,6 +9,7 @@ namespace rinceau {
 struct PictureRenderer::Parts {
     unsigned texture = 0;
     unsigned framebuffer = 0;
+    std::string shortcoming;
     int width = 0;
     int height = 0;
 };
@@ -24,9 +25,10 @@ PictureRenderer::~PictureRenderer() {
 }
 
 bool PictureRenderer::refining() const { return false; }
+const std::string& PictureRenderer::shortcoming() const { return parts_->shortcoming; }
 
 unsigned PictureRenderer::draw(const std::shared_ptr<const DerivedPicture>& picture, const ViewTransform& view,
-                               const PictureEmphasis&) {
+                               const PictureEmphasis&, const PictureDrawOptions&) {
     const int width = std::max(1, static_cast<int>(view.size.x));
     const int height = std::max(1, static_cast<int>(view.size.y));
     glBindTexture(GL_TEXTURE_2D, parts_->texture);
