@@ -15,6 +15,7 @@ struct PictureSurround {
     Color ground{224, 224, 224};  ///< outside the canvas of the picture
     Color accent{230, 90, 0};     ///< of outlines and differences
     double outside_fade = 0.6;    ///< 0..1: how far what lies outside the canvas fades into the ground
+    friend constexpr bool operator==(const PictureSurround&, const PictureSurround&) = default;
 };
 
 struct PictureDrawOptions {
