@@ -69,7 +69,7 @@ std::size_t corner_count(const Contours& contours) {
     return count;
 }
 
-Box bounds(const Contours& contours) {
+Box contours_box(const Contours& contours) {
     Box box;
     for (const std::vector<Point>& contour : contours)
         for (const Point p : contour) box = including(box, p);

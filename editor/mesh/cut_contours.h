@@ -25,6 +25,6 @@ CutContours cut(const Contours& contours, Axis axis, double at);
 
 std::size_t corner_count(const Contours& contours);
 
-Box bounds(const Contours& contours);
+Box contours_box(const Contours& contours);
 
 }  // namespace rinceau
