@@ -34,18 +34,26 @@ void add_cards(const Grammar& grammar, RuleSheet& sheet) {
     const auto titles = production_titles(grammar);
     for (std::size_t i = 0; i < grammar.productions.size(); ++i) {
         const Production& production = grammar.productions[i];
-        sheet.rules.push_back({RuleCard::Kind::production, static_cast<int>(i), titles[i], production.comment,
-                               statement_text(production), {}});
+        sheet.rules.push_back({RuleCard::Kind::production,
+                               static_cast<int>(i),
+                               titles[i],
+                               production.comment,
+                               statement_text(production),
+                               {}});
     }
     for (std::size_t i = 0; i < grammar.exceptions.size(); ++i) {
         const Exception& exception = grammar.exceptions[i];
-        sheet.exceptions.push_back({RuleCard::Kind::exception, static_cast<int>(i), exception_title(exception),
-                                    exception.comment, statement_text(exception), {}});
+        sheet.exceptions.push_back({RuleCard::Kind::exception,
+                                    static_cast<int>(i),
+                                    exception_title(exception),
+                                    exception.comment,
+                                    statement_text(exception),
+                                    {}});
     }
     for (std::size_t i = 0; i < grammar.styles.size(); ++i) {
         const NumberedStyle& style = grammar.styles[i];
-        sheet.styles.push_back({RuleCard::Kind::style, static_cast<int>(i), "style" + std::to_string(style.number),
-                                style.comment, {}, {}});
+        sheet.styles.push_back(
+            {RuleCard::Kind::style, static_cast<int>(i), "style" + std::to_string(style.number), style.comment, {}, {}});
     }
 }
 

@@ -31,8 +31,8 @@ struct RulesState {
     bool details = false;  ///< lists all numbers
     std::optional<DraggedNumber> dragged;
     std::optional<TypedNumber> typed;
-    std::shared_ptr<const RuleSheet> sheet;              ///< of what is shown; null until something has happened
-    std::shared_ptr<const RuleSheet> origin;             ///< of Document::origin; null = it has none
+    std::shared_ptr<const RuleSheet> sheet;   ///< of what is shown; null until something has happened
+    std::shared_ptr<const RuleSheet> origin;  ///< of Document::origin; null = it has none
 };
 
 }  // namespace rinceau

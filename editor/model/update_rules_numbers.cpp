@@ -54,8 +54,7 @@ bool commit_drag(Update& update) {
     if (number == nullptr) return false;
     const double value = number->value;
     const auto before = state.document.grammar;
-    edit_grammar(update, state.preview_label,
-                 [&](const Grammar& grammar) { return with_number(grammar, name, value); });
+    edit_grammar(update, state.preview_label, [&](const Grammar& grammar) { return with_number(grammar, name, value); });
     if (state.document.grammar == before) drop_preview(update);
     return true;
 }
@@ -102,8 +101,8 @@ void perform_one(Update& update, const ResetNumber& action) {
 void perform_one(Update& update, const LockNumber& action) {
     Document after = update.state.document;
     const bool known = number_named(update.state.rules.sheet, action.name) != nullptr;
-    const bool changes = action.locked ? known && after.locked.insert(action.name).second
-                                       : after.locked.erase(action.name) > 0;
+    const bool changes =
+        action.locked ? known && after.locked.insert(action.name).second : after.locked.erase(action.name) > 0;
     if (changes) record_edit(update, std::move(after), (action.locked ? "lock " : "unlock ") + action.name);
 }
 

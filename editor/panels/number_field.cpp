@@ -35,13 +35,15 @@ void show_help(const EditorState& state, const GrammarNumber& number) {
     } else if (!number.written.empty()) {
         text += "\nwritten " + number.written;
     }
-    text += state.document.locked.contains(number.name) ? "\nLocked: no edit changes it."
-                                                        : "\nDrag it, or double-click to type: 12, 80*1.5, +=2, 150%";
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+    const char* const how = number.kind == NumberKind::count ? "\nSlide it, or Ctrl+click to type: 12, +=2, *=2"
+                                                             : "\nDrag it, or double-click to type: 12, 80*1.5, +=2, 150%";
+    text += state.document.locked.contains(number.name) ? "\nLocked: no edit changes it." : how;
+    constexpr float tooltip_width = 22;  // in heights of a letter
     ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * tooltip_width);
     ImGui::TextUnformatted(text.c_str());
-    ImGui::EndTooltip();
     ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 void typed_field(const EditorState& state, const GrammarNumber& number, const std::string& next, Actions& actions) {
@@ -84,8 +86,8 @@ bool draw_value(const GrammarNumber& number, double start, double& value) {
         const double end = std::max(slider_end(start), number.value);
         return ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &feel.low, &end, format.c_str(), flags);
     }
-    return ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &value, static_cast<float>(feel.speed), &feel.low,
-                             &feel.high, format.c_str(), flags);
+    return ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &value, static_cast<float>(feel.speed), &feel.low, &feel.high,
+                             format.c_str(), flags);
 }
 
 void drag_field(const EditorState& state, const GrammarNumber& number, Actions& actions) {
@@ -93,8 +95,10 @@ void drag_field(const EditorState& state, const GrammarNumber& number, Actions& 
     const bool is_dragged = dragged && dragged->name == number.name;
     double value = is_dragged ? dragged->wanted : number.value;
     const bool changed = draw_value(number, is_dragged ? dragged->start : number.value, value);
-    const bool types = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
-                                                  (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left)));
+    // the first click of two would have moved a slider
+    const bool twice = number.kind != NumberKind::count && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    const bool with_control = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    const bool types = ImGui::IsItemHovered() && (twice || with_control);
     const bool by_key = ImGui::IsItemFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
     if (types || by_key) {
         actions.push_back(RulesAction{DropPreview{}});
@@ -114,8 +118,8 @@ void draw_name(const EditorState& state, const GrammarNumber& number, const std:
     ImGui::TextUnformatted(label.c_str());
     if (number.constant >= 0) {
         ImGui::SameLine(0, ImGui::GetFontSize() / 3);
-        ImGui::TextDisabled(
-            "= %s", state.rules.sheet->grammar->constants[static_cast<std::size_t>(number.constant)].name.c_str());
+        ImGui::TextDisabled("= %s",
+                            state.rules.sheet->grammar->constants[static_cast<std::size_t>(number.constant)].name.c_str());
     }
     ImGui::PopClipRect();
     show_help(state, number);
@@ -124,8 +128,8 @@ void draw_name(const EditorState& state, const GrammarNumber& number, const std:
 void reset_button(const EditorState& state, const PanelTools& tools, const GrammarNumber& number, Actions& actions) {
     const GrammarNumber* before = number_before(state, number.name);
     constexpr double seen = 1e-9;
-    const bool differs = before != nullptr && std::abs(before->value - number.value) >
-                                                  seen * std::max(1.0, std::abs(before->value));
+    const bool differs =
+        before != nullptr && std::abs(before->value - number.value) > seen * std::max(1.0, std::abs(before->value));
     if (!differs || state.document.locked.contains(number.name)) {
         ImGui::Dummy({icon_button_width(), icon_button_width()});
         return;
@@ -151,7 +155,8 @@ void number_field(const EditorState& state, const PanelTools& tools, const Gramm
     const bool locked = state.document.locked.contains(number.name);
     const float field = field_width * ImGui::GetFontSize();
     const float left = ImGui::GetCursorPosX();
-    const float name_width = ImGui::GetContentRegionAvail().x - field - 2 * icon_button_width() - ImGui::GetStyle().ItemSpacing.x;
+    const float name_width =
+        ImGui::GetContentRegionAvail().x - field - 2 * icon_button_width() - ImGui::GetStyle().ItemSpacing.x;
     draw_name(state, number, label, name_width);
     ImGui::SameLine(left + name_width + ImGui::GetStyle().ItemSpacing.x);
     ImGui::SetNextItemWidth(field);
