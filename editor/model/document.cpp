@@ -49,7 +49,8 @@ Document with_grammar(const Document& document, Grammar grammar) {
 bool same_document(const Document& a, const Document& b) {
     const bool same_grammar = a.grammar == b.grammar || to_text(*a.grammar) == to_text(*b.grammar);
     return same_grammar && a.drawing == b.drawing && a.used == b.used && a.report == b.report &&
-           same_options(a.analysis, b.analysis) && same_derivation(a.derive, b.derive) && a.locked == b.locked;
+           same_options(a.analysis, b.analysis) && same_derivation(a.derive, b.derive) && a.locked == b.locked &&
+           a.origin == b.origin;
 }
 
 }  // namespace rinceau

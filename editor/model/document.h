@@ -25,6 +25,7 @@ struct Document {
     AnalyzeOptions analysis;                       ///< with which the drawing was, and will be, analysed
     DeriveOptions derive;                          ///< depth and seed that are looked at
     std::set<std::string> locked;                  ///< names of numbers (lsystem/numbers.h) that edits leave alone
+    std::shared_ptr<const Grammar> origin;         ///< as it was opened or last analysed: what numbers are reset to; or null
 };
 
 /// A document that holds nothing: an empty grammar.

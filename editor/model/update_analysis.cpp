@@ -34,6 +34,7 @@ void perform_one(Update& update, const AnalysisDone& action) {
     state.analysis.running = false;
     const bool first = !state.document.report;
     Document after = with_grammar(state.document, action.analysis.grammar);
+    after.origin = after.grammar;
     after.report = std::make_shared<const AnalysisReport>(action.analysis.report);
     for (const std::string& warning : after.report->warnings) tell(update, MessageKind::warning, warning);
     if (!first) {
