@@ -17,6 +17,8 @@ namespace {
 /// What is allowed to a picture that is derived between two frames.
 constexpr double seconds_at_once = 0.05;
 constexpr std::uint64_t modules_at_once = 1'000'000;
+/// In a picture with no more elements a selection is found between two frames.
+constexpr std::size_t elements_at_once = 20'000;
 
 /// Runs the work; what it throws is told by `fail`. JobCancelled passes.
 void guarded(const std::function<void()>& work, const std::function<void(std::string)>& fail) {
@@ -35,6 +37,7 @@ Effects::Effects(ActionQueue& answers)
     : answers_(answers),
       files_([this](Action action) { answers_.post(std::move(action)); }),
       pictures_([this](Action action) { answers_.post(std::move(action)); }),
+      selections_([this](Action action) { answers_.post(std::move(action)); }),
       analyses_([this](Action action) { answers_.post(std::move(action)); }) {}
 
 void Effects::fulfil(const Request& request) {
@@ -93,6 +96,17 @@ void Effects::one(const DerivePicture& request) {
                 [&](std::string message) {
                     post(CanvasAction{PictureFailed{request.revision, std::move(message)}});
                 });
+    });
+}
+
+void Effects::one(const FindSelection& request) {
+    selections_.stop();
+    if (request.search.picture->items.size() <= elements_at_once) {
+        answers_.post(CanvasAction{find_selection(request.search)});
+        return;
+    }
+    selections_.start([search = request.search](const Progress& progress, const Worker::Post& post) {
+        post(CanvasAction{find_selection(search, progress)});
     });
 }
 

@@ -24,6 +24,7 @@ class Effects {
     void one(const WriteDocument& request);
     void one(const WriteExport& request);
     void one(const DerivePicture& request);
+    void one(const FindSelection& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const CloseWindow& request);
@@ -31,6 +32,7 @@ class Effects {
     ActionQueue& answers_;
     Worker files_;
     Worker pictures_;
+    Worker selections_;
     Worker analyses_;
     std::uint64_t job_ = 0;  ///< of the analysis that runs
     bool closing_ = false;

@@ -73,6 +73,8 @@ void replace_document(Update& update, Document document) {
     state.history = {};
     state.preview.reset();
     state.canvas.fit_pending = true;
+    state.canvas.drag.reset();
+    perform(update, CanvasAction{ClearSelection{}});
     show_anew(update);
 }
 
