@@ -65,8 +65,10 @@ void preview_grammar(Update& update, const std::string& label, const std::functi
 void replace_document(Update& update, Document document) {
     EditorState& state = update.state;
     state.document = std::move(document);
+    if (state.document.drawing && !state.document.found) state.document.found = state.document.grammar;
     state.history = {};
     state.preview.reset();
+    forget_analysis(update);
     state.canvas.fit_pending = true;
     show_anew(update);
 }
@@ -74,6 +76,7 @@ void replace_document(Update& update, Document document) {
 Update update(EditorState state, const Action& action) {
     Update result{std::move(state), {}};
     std::visit([&](const auto& of_area) { perform(result, of_area); }, action);
+    settle_analysis(result);
     return result;
 }
 

@@ -32,6 +32,15 @@ void edit_grammar(Update& update, const std::string& label, const std::function<
 /// The same as a preview of what the document would be; what goes wrong is not told while the mouse moves.
 void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
 
+/// What was found while something else was dragged becomes the document's grammar as soon as nothing is.
+void settle_analysis(Update& update);
+
+/// The analysis that is only tried (TryAnalysis), if there is one, is stopped and what it found is dropped.
+void drop_tried_analysis(Update& update);
+
+/// The drawing is another one: nothing that an analysis of the last one brings is of use.
+void forget_analysis(Update& update);
+
 /// Another document takes the place of all: history, preview and selection begin anew.
 void replace_document(Update& update, Document document);
 

@@ -26,6 +26,7 @@ void perform_one(Update& update, const CommitPreview&) {
 }
 
 void perform_one(Update& update, const DropPreview&) {
+    drop_tried_analysis(update);
     if (!update.state.preview) return;
     update.state.preview.reset();
     show_anew(update);
