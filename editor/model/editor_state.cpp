@@ -13,6 +13,11 @@ EditorState initial_state() {
 
 const Document& shown_document(const EditorState& state) { return state.preview ? *state.preview : state.document; }
 
+bool is_busy(const EditorState& state) {
+    const bool derives = state.picture_revision != state.revision && state.picture_mistake.empty();
+    return derives || state.analysis.running || state.file.opening || state.file.saving || state.file.exporting;
+}
+
 bool has_unsaved_changes(const EditorState& state) {
     const FileKind kind = kind_of_name(state.file.path);
     const bool grammar_alone = kind == FileKind::grammar || kind == FileKind::json_grammar;
