@@ -26,12 +26,15 @@ class Effects {
     void one(const DerivePicture& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
+    void one(const RunTool& request);
+    void one(const ReadReplacement& request);
     void one(const CloseWindow& request);
 
     ActionQueue& answers_;
     Worker files_;
     Worker pictures_;
     Worker analyses_;
+    Worker tools_;
     std::uint64_t job_ = 0;  ///< of the analysis that runs
     bool closing_ = false;
 };

@@ -13,6 +13,10 @@ EditorState initial_state() {
 
 const Document& shown_document(const EditorState& state) { return state.preview ? *state.preview : state.document; }
 
+bool shows_tool_preview(const EditorState& state) {
+    return state.preview && state.tools.previewed && state.preview->grammar == state.tools.previewed;
+}
+
 bool has_unsaved_changes(const EditorState& state) {
     return state.document.grammar != state.file.saved_grammar &&
            (!state.file.saved_grammar || to_text(*state.document.grammar) != to_text(*state.file.saved_grammar));

@@ -53,6 +53,9 @@ EditorState initial_state();
 /// What is to be seen: the preview, or the document.
 const Document& shown_document(const EditorState& state);
 
+/// Is the preview that is shown of a tool?
+bool shows_tool_preview(const EditorState& state);
+
 bool has_unsaved_changes(const EditorState& state);
 
 }  // namespace rinceau

@@ -8,6 +8,7 @@
 
 #include "analyzer/analyze.h"
 #include "editor/model/document.h"
+#include "editor/model/tool_edit.h"
 
 namespace rinceau {
 
@@ -38,10 +39,23 @@ struct RunAnalysis {
     AnalyzeOptions options;
 };
 struct StopAnalysis {};
+/// Answered by ToolDone or ToolFailed.
+struct RunTool {
+    std::uint64_t job = 0;
+    Document document;
+    std::shared_ptr<const ToolEdit> edit;
+    bool at_once = false;  ///< it is quick
+};
+/// What takes the place of a symbol, in the words of files/replacement_text.h. Answered by ReplacementRead or
+/// ReplacementFailed.
+struct ReadReplacement {
+    std::string symbol;
+    std::string with;
+};
 struct CloseWindow {};
 
 using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, CloseWindow>;
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, RunTool, ReadReplacement, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

@@ -32,6 +32,9 @@ void edit_grammar(Update& update, const std::string& label, const std::function<
 /// The same as a preview of what the document would be; what goes wrong is not told while the mouse moves.
 void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
 
+/// What is previewed is not shown any more; nothing else changes.
+void drop_preview(Update& update);
+
 /// Another document takes the place of all: history, preview and selection begin anew.
 void replace_document(Update& update, Document document);
 

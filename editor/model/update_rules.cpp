@@ -26,9 +26,7 @@ void perform_one(Update& update, const CommitPreview&) {
 }
 
 void perform_one(Update& update, const DropPreview&) {
-    if (!update.state.preview) return;
-    update.state.preview.reset();
-    show_anew(update);
+    drop_preview(update);
 }
 
 void move_in_history(Update& update, HistoryMove move, const char* what) {
