@@ -26,6 +26,8 @@ std::string label_of(const ReplaceEdit& edit) { return "replace " + edit.replace
 
 }  // namespace
 
+std::shared_ptr<const ToolEdit> shared_edit(ToolEdit edit) { return std::make_shared<const ToolEdit>(std::move(edit)); }
+
 std::string tool_label(const ToolEdit& edit) {
     return std::visit([](const auto& one) { return label_of(one); }, edit);
 }

@@ -26,6 +26,8 @@ struct ReplaceEdit {
 
 using ToolEdit = std::variant<RandomizeEdit, SymmetrizeEdit, ReplaceEdit>;
 
+std::shared_ptr<const ToolEdit> shared_edit(ToolEdit edit);
+
 /// What the edit is called in the history: "randomize", without a full stop.
 std::string tool_label(const ToolEdit& edit);
 

@@ -28,7 +28,7 @@ struct SetNoise {
 struct NewSeed {};
 /// The edit is made: recorded, or shown as a preview. Both may take a while; the newest that was asked for counts.
 struct UseTool {
-    ToolEdit edit;
+    std::shared_ptr<const ToolEdit> edit;
     bool preview = false;
 };
 /// Replaces what ToolSettings::replace says, after it was read.

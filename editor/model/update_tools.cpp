@@ -70,7 +70,7 @@ void perform_one(Update& update, const SetNoise& action) {
     const NoiseInGrammar noise = shown_noise(state);
     const bool random = noise.angle || noise.distance || noise.scale || !action.noise.named.empty() ||
                         draws_random_numbers(*state.document.resolved);
-    if (random) ask_for_tool(update, RandomizeEdit{action.noise}, true);
+    if (random) ask_for_tool(update, shared_edit(RandomizeEdit{action.noise}), true);
 }
 
 void perform_one(Update& update, const NewSeed&) {
@@ -82,7 +82,7 @@ void perform_one(Update& update, const NewSeed&) {
 void perform_one(Update& update, const UseTool& action) { ask_for_tool(update, action.edit, action.preview); }
 
 void perform_one(Update& update, const KeepTool&) {
-    if (shows_tool_preview(update.state)) ask_for_tool(update, *update.state.tools.edit, false);
+    if (shows_tool_preview(update.state)) ask_for_tool(update, update.state.tools.edit, false);
 }
 
 void perform_one(Update& update, const ToolDone& action) {
@@ -114,8 +114,8 @@ void perform_one(Update& update, const ToolFailed& action) {
 
 }  // namespace
 
-void ask_for_tool(Update& update, ToolEdit edit, bool preview) {
-    ToolRun run{std::make_shared<const ToolEdit>(std::move(edit)), preview};
+void ask_for_tool(Update& update, std::shared_ptr<const ToolEdit> edit, bool preview) {
+    ToolRun run{std::move(edit), preview};
     if (update.state.tools.running) {
         update.state.tools.waiting = std::move(run);
     } else {

@@ -6,7 +6,7 @@
 namespace rinceau {
 
 /// The edit of the document is asked for; if another one runs, it waits for it, and nothing else does.
-void ask_for_tool(Update& update, ToolEdit edit, bool preview);
+void ask_for_tool(Update& update, std::shared_ptr<const ToolEdit> edit, bool preview);
 
 // update_tools_replace.cpp
 void perform_one(Update& update, const UseReplace& action);

@@ -13,7 +13,7 @@ void replace(Update& update, bool preview) {
     const ReplaceSettings& settings = tools.settings.replace;
     ReplaceEdit edit{*tools.read, {.fit = settings.fit, .turn = settings.turn, .restyle = settings.restyle}};
     edit.replacement.symbol = symbol_to_replace(update.state);
-    ask_for_tool(update, std::move(edit), preview);
+    ask_for_tool(update, shared_edit(std::move(edit)), preview);
 }
 
 }  // namespace

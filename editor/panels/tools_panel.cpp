@@ -56,9 +56,9 @@ void symmetrize_section(const EditorState& state, const PanelTools& tools, Actio
     note_place(tools, "tools/Drop all exceptions");
     if (changed) {
         actions.push_back(ToolsAction{SetTools{settings}});
-        actions.push_back(ToolsAction{UseTool{SymmetrizeEdit{settings.symmetrize}, true}});
+        actions.push_back(ToolsAction{UseTool{shared_edit(SymmetrizeEdit{settings.symmetrize}), true}});
     }
-    if (ImGui::Button("Symmetrize")) actions.push_back(ToolsAction{UseTool{SymmetrizeEdit{settings.symmetrize}}});
+    if (ImGui::Button("Symmetrize")) actions.push_back(ToolsAction{UseTool{shared_edit(SymmetrizeEdit{settings.symmetrize})}});
     note_place(tools, "tools/Symmetrize");
 }
 

@@ -125,7 +125,7 @@ void randomize_section(const EditorState& state, const PanelTools& tools, Action
     seed_field(state, tools, noise, changed, actions);
     if (changed) actions.push_back(ToolsAction{SetNoise{noise}});
     ImGui::SameLine();
-    if (ImGui::Button("Randomize")) actions.push_back(ToolsAction{UseTool{RandomizeEdit{noise}}});
+    if (ImGui::Button("Randomize")) actions.push_back(ToolsAction{UseTool{shared_edit(RandomizeEdit{noise})}});
     note_place(tools, "tools/Randomize");
 }
 
