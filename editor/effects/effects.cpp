@@ -8,6 +8,7 @@
 #include "editor/effects/folders.h"
 #include "editor/effects/progress_posts.h"
 #include "editor/effects/read_document.h"
+#include "editor/effects/read_tool_replacement.h"
 #include "editor/effects/write_document.h"
 #include "editor/effects/write_export.h"
 #include "scene/input_error.h"
@@ -39,7 +40,8 @@ Effects::Effects(ActionQueue& answers)
       files_([this](Action action) { answers_.post(std::move(action)); }),
       pictures_([this](Action action) { answers_.post(std::move(action)); }),
       selections_([this](Action action) { answers_.post(std::move(action)); }),
-      analyses_([this](Action action) { answers_.post(std::move(action)); }) {}
+      analyses_([this](Action action) { answers_.post(std::move(action)); }),
+      tools_([this](Action action) { answers_.post(std::move(action)); }) {}
 
 void Effects::fulfil(const Request& request) {
     std::visit([this](const auto& known) { one(known); }, request);
@@ -171,6 +173,27 @@ void Effects::one(const RunAnalysis& request) {
 }
 
 void Effects::one(const StopAnalysis&) { analyses_.stop(); }
+
+void Effects::one(const RunTool& request) {
+    const auto use = [request](const Worker::Post& post) {
+        guarded([&] { post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}}); },
+                [&](std::string message) { post(ToolsAction{ToolFailed{request.job, std::move(message)}}); });
+    };
+    if (request.at_once) {
+        use([this](Action action) { answers_.post(std::move(action)); });
+    } else {
+        tools_.start([use](const Progress&, const Worker::Post& post) { use(post); });
+    }
+}
+
+void Effects::one(const ReadReplacement& request) {
+    files_.start([request](const Progress&, const Worker::Post& post) {
+        guarded([&] { post(read_tool_replacement(request)); },
+                [&](std::string message) {
+                    post(ToolsAction{ReplacementFailed{request.with, std::move(message)}});
+                });
+    });
+}
 
 void Effects::one(const CloseWindow&) { closing_ = true; }
 

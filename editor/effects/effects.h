@@ -30,6 +30,8 @@ class Effects {
     void one(const FindSelection& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
+    void one(const RunTool& request);
+    void one(const ReadReplacement& request);
     void one(const CloseWindow& request);
     void one(const StopExport& request);
     void one(const HoldFile& request);
@@ -44,6 +46,7 @@ class Effects {
     Worker selections_;
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_;
+    Worker tools_;
     bool closing_ = false;
     std::shared_ptr<std::atomic<bool>> export_stopped_;  ///< of the last export
     Errands looks_;                                      ///< at folders

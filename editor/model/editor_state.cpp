@@ -18,6 +18,10 @@ bool is_busy(const EditorState& state) {
     return derives || state.analysis.running || state.file.opening || state.file.saving || state.file.exporting;
 }
 
+bool shows_tool_preview(const EditorState& state) {
+    return state.preview && state.tools.previewed && state.preview->grammar == state.tools.previewed;
+}
+
 bool has_unsaved_changes(const EditorState& state) {
     const FileKind kind = kind_of_name(state.file.path);
     const bool grammar_alone = kind == FileKind::grammar || kind == FileKind::json_grammar;

@@ -10,8 +10,9 @@
 #include "analyzer/analyze.h"
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
-#include "editor/model/view_transform.h"
 #include "editor/model/find_selection.h"
+#include "editor/model/tool_edit.h"
+#include "editor/model/view_transform.h"
 
 namespace rinceau {
 
@@ -72,10 +73,24 @@ struct RunAnalysis {
 };
 /// Not answered.
 struct StopAnalysis {};
+/// Answered by ToolDone or ToolFailed.
+struct RunTool {
+    std::uint64_t job = 0;
+    Document document;
+    std::shared_ptr<const ToolEdit> edit;
+    bool at_once = false;  ///< it is quick
+};
+/// What takes the place of a symbol, in the words of files/replacement_text.h. Answered by ReplacementRead or
+/// ReplacementFailed.
+struct ReadReplacement {
+    std::string symbol;
+    std::string with;
+};
 struct CloseWindow {};
 
 using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis,
-                             StopAnalysis, CloseWindow, StopExport, HoldFile, ListFolder, MakeFolder, LookAtPath>;
+                             StopAnalysis, RunTool, ReadReplacement, CloseWindow, StopExport, HoldFile, ListFolder,
+                             MakeFolder, LookAtPath>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

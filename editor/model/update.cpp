@@ -66,6 +66,16 @@ void preview_grammar(Update& update, const std::string& label, const std::functi
     }
 }
 
+void drop_preview(Update& update) {
+    EditorState& state = update.state;
+    if (shows_tool_preview(state)) state.tools.settings.noise = {};  // what is not wanted is not set, either
+    state.tools.dropped = true;
+    state.tools.waiting.reset();
+    if (!state.preview) return;
+    state.preview.reset();
+    show_anew(update);
+}
+
 void replace_document(Update& update, Document document) {
     EditorState& state = update.state;
     state.document = std::move(document);

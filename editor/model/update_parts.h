@@ -43,6 +43,8 @@ void drop_tried_analysis(Update& update);
 
 /// The drawing is another one: nothing that an analysis of the last one brings is of use.
 void forget_analysis(Update& update);
+/// What is previewed is not shown any more; nothing else changes.
+void drop_preview(Update& update);
 
 /// Another document takes the place of all: history, preview and selection begin anew.
 void replace_document(Update& update, Document document);

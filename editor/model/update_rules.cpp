@@ -4,12 +4,6 @@
 
 namespace rinceau {
 
-void drop_preview(Update& update) {
-    if (!update.state.preview) return;
-    update.state.preview.reset();
-    show_anew(update);
-}
-
 namespace {
 
 void perform_one(Update& update, const CommitPreview&) {

@@ -18,7 +18,4 @@ void perform_one(Update& update, const ShowRuleDetails& action);
 /// The drag of a number ends: what it shows becomes an edit. False if no number was dragged to another value.
 bool commit_drag(Update& update);
 
-/// What is previewed is shown no more.
-void drop_preview(Update& update);
-
 }  // namespace rinceau
