@@ -70,15 +70,20 @@ void replace_document(Update& update, Document document) {
     EditorState& state = update.state;
     state.document = std::move(document);
     if (!state.document.origin) state.document.origin = state.document.grammar;
+    if (state.document.drawing && !state.document.found) state.document.found = state.document.grammar;
     state.history = {};
     state.preview.reset();
+    forget_analysis(update);
     state.canvas.fit_pending = true;
+    state.canvas.drag.reset();
+    perform(update, CanvasAction{ClearSelection{}});
     show_anew(update);
 }
 
 Update update(EditorState state, const Action& action) {
     Update result{std::move(state), {}};
     std::visit([&](const auto& of_area) { perform(result, of_area); }, action);
+    settle_analysis(result);
     refresh_rule_sheets(result.state);
     return result;
 }

@@ -34,6 +34,14 @@ void preview_grammar(Update& update, const std::string& label, const std::functi
 
 /// What the panel of rules shows is said of the grammars that are shown and reset to, if these are others than before.
 void refresh_rule_sheets(EditorState& state);
+/// What was found while something else was dragged becomes the document's grammar as soon as nothing is.
+void settle_analysis(Update& update);
+
+/// The analysis that is only tried (TryAnalysis), if there is one, is stopped and what it found is dropped.
+void drop_tried_analysis(Update& update);
+
+/// The drawing is another one: nothing that an analysis of the last one brings is of use.
+void forget_analysis(Update& update);
 
 /// Another document takes the place of all: history, preview and selection begin anew.
 void replace_document(Update& update, Document document);

@@ -19,6 +19,7 @@ void perform_one(Update& update, const CommitPreview&) {
 }
 
 void perform_one(Update& update, const DropPreview&) {
+    drop_tried_analysis(update);
     if (update.state.rules.dragged) update.state.rules.dragged->dropped = true;
     drop_preview(update);
 }

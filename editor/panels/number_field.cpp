@@ -83,8 +83,9 @@ bool draw_value(const GrammarNumber& number, double start, double& value) {
     const std::string format = as_format(number_label(number, number.value));
     constexpr ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
     if (number.kind == NumberKind::count) {
+        const double begin = std::min(std::max(feel.low, 0.0), number.value);  // a range without end has no slider
         const double end = std::max(slider_end(start), number.value);
-        return ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &feel.low, &end, format.c_str(), flags);
+        return ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &begin, &end, format.c_str(), flags);
     }
     return ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &value, static_cast<float>(feel.speed), &feel.low, &feel.high,
                              format.c_str(), flags);
