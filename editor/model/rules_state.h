@@ -15,6 +15,7 @@ struct DraggedNumber {
     std::string name;
     double start = 0;      ///< its value before
     double wanted = 0;     ///< where the mouse is
+    double set = 0;        ///< what it was last set to, in the steps of its NumberFeel
     bool dropped = false;  ///< by Esc: the rest of the drag does nothing
 };
 

@@ -15,9 +15,9 @@ const GrammarNumber* number_named(const std::shared_ptr<const RuleSheet>& sheet,
     return index < 0 ? nullptr : &sheet->numbers[at(index)];
 }
 
-EditResult with_number(const Grammar& grammar, const std::string& name, double value) {
+EditResult with_number(const Grammar& grammar, const std::string& name, double value, const SetOptions& options = {}) {
     const NumberEdit edit{.name = name, .value = number_expression(value)};
-    return set_numbers(grammar, {&edit, 1});
+    return set_numbers(grammar, {&edit, 1}, options);
 }
 
 void drag(Update& update, const SetNumber& action) {
@@ -25,15 +25,17 @@ void drag(Update& update, const SetNumber& action) {
     const GrammarNumber* number = number_named(rules.sheet, action.name);
     if (number == nullptr) return;
     if (!rules.dragged || rules.dragged->name != action.name) {
-        rules.dragged = {.name = action.name, .start = number->value};
+        rules.dragged = {.name = action.name, .start = number->value, .set = number->value};
         update.state.preview.reset();
     }
     if (rules.dragged->dropped) return;
     rules.dragged->wanted = action.value;
     const double value = felt_value(number_feel(*number, rules.dragged->start), action.value);
-    if (value == number->value) return;
-    preview_grammar(update, "set " + action.name,
-                    [&](const Grammar& grammar) { return with_number(grammar, action.name, value); });
+    if (value == rules.dragged->set) return;
+    rules.dragged->set = value;
+    preview_grammar(update, "set " + action.name, [&](const Grammar& grammar) {
+        return with_number(grammar, action.name, value, {.nearest_ring = true, .say_changes = false});
+    });
 }
 
 std::string edit_text(const TypedNumber& typed) {
@@ -49,10 +51,9 @@ bool commit_drag(Update& update) {
     EditorState& state = update.state;
     if (!state.rules.dragged) return false;
     const std::string name = state.rules.dragged->name;
+    const double value = state.rules.dragged->set;
     state.rules.dragged.reset();
-    const GrammarNumber* number = state.preview ? number_named(state.rules.sheet, name) : nullptr;
-    if (number == nullptr) return false;
-    const double value = number->value;
+    if (!state.preview) return false;
     const auto before = state.document.grammar;
     edit_grammar(update, state.preview_label, [&](const Grammar& grammar) { return with_number(grammar, name, value); });
     if (state.document.grammar == before) drop_preview(update);
