@@ -18,6 +18,12 @@ bool is_busy(const EditorState& state) {
     return derives || state.analysis.running || !state.file.opening.empty();
 }
 
+std::string window_title(const EditorState& state) {
+    const std::string& path = state.file.path;
+    const std::string name = path.empty() ? "Untitled" : path.substr(path.rfind('/') + 1);
+    return (has_unsaved_changes(state) ? "*" : "") + name + " – Rinceau";
+}
+
 bool has_unsaved_changes(const EditorState& state) {
     return state.document.grammar != state.file.saved_grammar &&
            (!state.file.saved_grammar || to_text(*state.document.grammar) != to_text(*state.file.saved_grammar));

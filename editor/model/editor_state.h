@@ -56,6 +56,9 @@ const Document& shown_document(const EditorState& state);
 /// Is something being read, derived or analysed, so that more will change by itself?
 bool is_busy(const EditorState& state);
 
+/// "facade.lsys – Rinceau", with a "*" before it if there are unsaved changes.
+std::string window_title(const EditorState& state);
+
 bool has_unsaved_changes(const EditorState& state);
 
 }  // namespace rinceau
