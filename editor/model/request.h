@@ -8,6 +8,7 @@
 
 #include "analyzer/analyze.h"
 #include "editor/model/document.h"
+#include "editor/model/find_selection.h"
 
 namespace rinceau {
 
@@ -31,17 +32,22 @@ struct DerivePicture {
     std::uint64_t revision = 0;
     Document document;
 };
+/// Answered by SelectionFound; a later one takes its place.
+struct FindSelection {
+    SelectionSearch search;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
     std::shared_ptr<const Scene> drawing;
     AnalyzeOptions options;
 };
+/// Not answered.
 struct StopAnalysis {};
 struct CloseWindow {};
 
 using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, CloseWindow>;
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau
