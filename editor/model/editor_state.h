@@ -61,6 +61,9 @@ bool shows_tool_preview(const EditorState& state);
 /// Is something being read, derived or analysed, so that more will change by itself?
 bool is_busy(const EditorState& state);
 
+/// "facade.lsys – Rinceau", with a "*" before it if there are unsaved changes.
+std::string window_title(const EditorState& state);
+
 /// Would be lost if the window closed now: compared with what the file holds, by versions. A file of a grammar alone does
 /// not hold locks and options. Quick, for every frame.
 bool has_unsaved_changes(const EditorState& state);
