@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lsystem/check_edit.h"
+#include "lsystem/keep_locked.h"
 
 namespace rinceau {
 namespace {
@@ -33,7 +34,8 @@ std::string tool_label(const ToolEdit& edit) {
 }
 
 ToolResult use_tool(const Document& document, const ToolEdit& edit) {
-    EditResult result = std::visit([&](const auto& one) { return edited(document, one); }, edit);
+    EditResult result = keep_locked(
+        *document.grammar, std::visit([&](const auto& one) { return edited(document, one); }, edit), document.locked);
     CheckEditOptions options;
     options.derive = document.derive;
     options.for_drawing = [&](const Grammar& grammar) { return *with_grammar(document, grammar).resolved; };
