@@ -26,6 +26,8 @@ class Effects {
     void one(const WriteExport& request);
     void one(const DerivePicture& request);
     void one(const FindSelection& request);
+    void one(const CheckText& request);
+    void one(const MeasureDepth& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const CloseWindow& request);
@@ -34,6 +36,8 @@ class Effects {
     Worker files_;
     Worker pictures_;
     Worker selections_;
+    Worker texts_;
+    Worker depths_;
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_;
     bool closing_ = false;

@@ -36,6 +36,17 @@ struct DerivePicture {
 struct FindSelection {
     SelectionSearch search;
 };
+/// Answered by TextChecked.
+struct CheckText {
+    std::uint64_t revision = 0;
+    std::string text;
+    std::string file;
+    Document document;
+};
+/// How deep the document can be derived. Answered by DepthMeasured.
+struct MeasureDepth {
+    Document document;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
@@ -47,7 +58,7 @@ struct StopAnalysis {};
 struct CloseWindow {};
 
 using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis, CloseWindow>;
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, CheckText, MeasureDepth, RunAnalysis, StopAnalysis, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau
