@@ -11,6 +11,8 @@
 #include "editor/effects/read_tool_replacement.h"
 #include "editor/effects/write_document.h"
 #include "editor/effects/write_export.h"
+#include "lsystem/derivation_facts.h"
+#include "lsystem/grammar_text.h"
 #include "scene/input_error.h"
 
 namespace rinceau {
@@ -19,6 +21,7 @@ namespace {
 /// What is allowed to a picture that is derived between two frames.
 constexpr double seconds_at_once = 0.05;
 constexpr std::uint64_t modules_at_once = 1'000'000;
+constexpr double seconds_to_measure = 3;
 /// In a picture with no more elements a selection is found between two frames.
 constexpr std::size_t elements_at_once = 20'000;
 
@@ -36,12 +39,7 @@ void guarded(const std::function<void()>& work, const std::function<void(std::st
 }  // namespace
 
 Effects::Effects(ActionQueue& answers)
-    : answers_(answers),
-      files_([this](Action action) { answers_.post(std::move(action)); }),
-      pictures_([this](Action action) { answers_.post(std::move(action)); }),
-      selections_([this](Action action) { answers_.post(std::move(action)); }),
-      analyses_([this](Action action) { answers_.post(std::move(action)); }),
-      tools_([this](Action action) { answers_.post(std::move(action)); }) {}
+    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }) {}
 
 void Effects::fulfil(const Request& request) {
     std::visit([this](const auto& known) { one(known); }, request);
@@ -149,6 +147,29 @@ void Effects::one(const FindSelection& request) {
     }
     selections_.start([search = request.search](const Progress& progress, const Worker::Post& post) {
         post(CanvasAction{find_selection(search, progress)});
+    });
+}
+
+void Effects::one(const CheckText& request) {
+    texts_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto answer = [&](TextFindings findings) {
+            post(RulesAction{TextChecked{request.revision, std::move(findings)}});
+        };
+        guarded([&] { answer(check_rule_text(request.text, request.file, request.document, progress)); },
+                [&](std::string message) { answer({.picture = std::move(message)}); });
+    });
+}
+
+void Effects::one(const MeasureDepth& request) {
+    depths_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto& grammar = request.document.resolved;
+        DeriveOptions derive = request.document.derive;
+        derive.depth = -1;
+        derive.max_seconds = seconds_to_measure;
+        guarded([&] { post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}}); },
+                [&](const std::string&) {
+                    post(RulesAction{DepthMeasured{grammar, -1}});
+                });
     });
 }
 

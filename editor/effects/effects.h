@@ -28,6 +28,8 @@ class Effects {
     void one(const WriteExport& request);
     void one(const DerivePicture& request);
     void one(const FindSelection& request);
+    void one(const CheckText& request);
+    void one(const MeasureDepth& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const RunTool& request);
@@ -41,12 +43,15 @@ class Effects {
     void answer_folder(const std::function<FolderListed()>& list);
 
     ActionQueue& answers_;
-    Worker files_;
-    Worker pictures_;
-    Worker selections_;
+    Worker::Post post_;  ///< to the answers, from any thread
+    Worker files_{post_};
+    Worker pictures_{post_};
+    Worker selections_{post_};
+    Worker texts_{post_};
+    Worker depths_{post_};
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
-    Worker analyses_;
-    Worker tools_;
+    Worker analyses_{post_};
+    Worker tools_{post_};
     bool closing_ = false;
     std::shared_ptr<std::atomic<bool>> export_stopped_;  ///< of the last export
     Errands looks_;                                      ///< at folders

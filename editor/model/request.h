@@ -65,6 +65,17 @@ struct DerivePicture {
 struct FindSelection {
     SelectionSearch search;
 };
+/// Answered by TextChecked.
+struct CheckText {
+    std::uint64_t revision = 0;
+    std::string text;
+    std::string file;
+    Document document;
+};
+/// How deep the document can be derived. Answered by DepthMeasured.
+struct MeasureDepth {
+    Document document;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
@@ -88,9 +99,27 @@ struct ReadReplacement {
 };
 struct CloseWindow {};
 
-using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis,
-                             StopAnalysis, RunTool, ReadReplacement, CloseWindow, StopExport, HoldFile, ListFolder,
-                             MakeFolder, LookAtPath>;
+// clang-format off: one a line, so that the list grows without touching other lines
+using Request = std::variant<
+    ReadDocument,
+    WriteDocument,
+    WriteExport,
+    DerivePicture,
+    FindSelection,
+    CheckText,
+    MeasureDepth,
+    RunAnalysis,
+    StopAnalysis,
+    RunTool,
+    ReadReplacement,
+    CloseWindow,
+    StopExport,
+    HoldFile,
+    ListFolder,
+    MakeFolder,
+    LookAtPath
+>;
+// clang-format on
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau
