@@ -25,6 +25,8 @@ class Effects {
     void one(const WriteExport& request);
     void one(const DerivePicture& request);
     void one(const FindSelection& request);
+    void one(const LightRule& request);
+    void one(const DeriveBefore& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const CloseWindow& request);
@@ -33,6 +35,8 @@ class Effects {
     Worker files_;
     Worker pictures_;
     Worker selections_;
+    Worker lights_;
+    Worker befores_;
     Worker analyses_;
     std::uint64_t job_ = 0;  ///< of the analysis that runs
     bool closing_ = false;

@@ -36,6 +36,16 @@ struct DerivePicture {
 struct FindSelection {
     SelectionSearch search;
 };
+/// Answered by RuleLit; a later one takes its place.
+struct LightRule {
+    std::uint64_t revision = 0;
+    Document document;
+    int production = -1;
+};
+/// The picture of the drawing, or else of the grammar. Answered by BeforeDerived, or PictureFailed.
+struct DeriveBefore {
+    Document document;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
@@ -46,7 +56,7 @@ struct StopAnalysis {};
 struct CloseWindow {};
 
 using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis, CloseWindow>;
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, LightRule, DeriveBefore, RunAnalysis, StopAnalysis, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

@@ -69,6 +69,8 @@ void replace_document(Update& update, Document document) {
     state.preview.reset();
     state.canvas.fit_pending = true;
     state.canvas.drag.reset();
+    state.canvas.onion = OnionMode::off;
+    state.canvas.before.reset();
     perform(update, CanvasAction{ClearSelection{}});
     show_anew(update);
 }
