@@ -1,9 +1,11 @@
 #include "editor/effects/effects.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "analyzer/analyze.h"
+#include "editor/effects/progress_posts.h"
 #include "editor/effects/read_document.h"
 #include "editor/effects/write_export.h"
 #include "files/files.h"
@@ -136,15 +138,18 @@ void Effects::one(const DeriveBefore& request) {
 }
 
 void Effects::one(const RunAnalysis& request) {
-    job_ = request.job;
-    analyses_.start([request](const Progress& progress, const Worker::Post& post) {
+    analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
+        ProgressPosts posts;
         const Progress told = [&](std::string_view stage, double fraction) {
             progress(stage, fraction);
-            post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
+            if (posts.worth(stage, std::chrono::steady_clock::now()))
+                post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
         };
         guarded(
             [&] {
-                post(AnalysisAction{AnalysisDone{request.job, analyze(*request.drawing, request.options, told)}});
+                const auto kept = cache->prepared(request.drawing, request.options, told);
+                auto found = std::make_shared<const Analysis>(analyze(kept->prepared, request.options, told));
+                post(AnalysisAction{AnalysisDone{request.job, std::move(found)}});
             },
             [&](std::string message) {
                 post(AnalysisAction{AnalysisFailed{request.job, std::move(message)}});
@@ -152,10 +157,7 @@ void Effects::one(const RunAnalysis& request) {
     });
 }
 
-void Effects::one(const StopAnalysis&) {
-    analyses_.stop();
-    answers_.post(AnalysisAction{AnalysisFailed{job_, {}}});
-}
+void Effects::one(const StopAnalysis&) { analyses_.stop(); }
 
 void Effects::one(const CloseWindow&) { closing_ = true; }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "editor/effects/action_queue.h"
+#include "editor/effects/analysis_cache.h"
 #include "editor/effects/worker.h"
 #include "editor/model/request.h"
 
@@ -37,8 +38,8 @@ class Effects {
     Worker selections_;
     Worker lights_;
     Worker befores_;
+    std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_;
-    std::uint64_t job_ = 0;  ///< of the analysis that runs
     bool closing_ = false;
 };
 

@@ -52,6 +52,7 @@ struct RunAnalysis {
     std::shared_ptr<const Scene> drawing;
     AnalyzeOptions options;
 };
+/// Not answered.
 struct StopAnalysis {};
 struct CloseWindow {};
 
