@@ -173,6 +173,29 @@ void Effects::one(const MeasureDepth& request) {
     });
 }
 
+void Effects::one(const LightRule& request) {
+    lights_.start([request](const Progress& progress, const Worker::Post& post) {
+        guarded(
+            [&] {
+                LitItems lit = lit_by_rule(request.document, request.production, progress);
+                post(CanvasAction{RuleLit{request.revision, request.production, std::move(lit)}});
+            },
+            [](const std::string&) {});  // what has no picture has nothing to light
+    });
+}
+
+void Effects::one(const DeriveBefore& request) {
+    befores_.start([document = request.document](const Progress& progress, const Worker::Post& post) {
+        guarded(
+            [&] {
+                DerivedPicture picture =
+                    document.drawing ? drawing_picture(*document.drawing) : derive_picture(document, progress);
+                post(CanvasAction{BeforeDerived{std::make_shared<const DerivedPicture>(std::move(picture))}});
+            },
+            [](const std::string&) {});  // a document that was open has had a picture
+    });
+}
+
 void Effects::one(const RunAnalysis& request) {
     analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
         ProgressPosts posts;

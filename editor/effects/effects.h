@@ -30,6 +30,8 @@ class Effects {
     void one(const FindSelection& request);
     void one(const CheckText& request);
     void one(const MeasureDepth& request);
+    void one(const LightRule& request);
+    void one(const DeriveBefore& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const RunTool& request);
@@ -49,6 +51,8 @@ class Effects {
     Worker selections_{post_};
     Worker texts_{post_};
     Worker depths_{post_};
+    Worker lights_{post_};
+    Worker befores_{post_};
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_{post_};
     Worker tools_{post_};

@@ -65,6 +65,16 @@ struct DerivePicture {
 struct FindSelection {
     SelectionSearch search;
 };
+/// Answered by RuleLit; a later one takes its place.
+struct LightRule {
+    std::uint64_t revision = 0;
+    Document document;
+    int production = -1;
+};
+/// The picture of the drawing, or else of the grammar. Answered by BeforeDerived, or PictureFailed.
+struct DeriveBefore {
+    Document document;
+};
 /// Answered by TextChecked.
 struct CheckText {
     std::uint64_t revision = 0;
@@ -108,6 +118,8 @@ using Request = std::variant<
     FindSelection,
     CheckText,
     MeasureDepth,
+    LightRule,
+    DeriveBefore,
     RunAnalysis,
     StopAnalysis,
     RunTool,
