@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analyzer/analyze.h"
+#include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
 
 namespace rinceau {
@@ -39,10 +40,21 @@ struct RunAnalysis {
 };
 /// Not answered.
 struct StopAnalysis {};
+/// Answered by ClustersFound or ClustersFailed; a later one takes its place.
+struct TabulateClusters {
+    std::uint64_t job = 0;
+    std::shared_ptr<const Scene> drawing;
+    AnalyzeOptions options;
+};
+/// Answered by ElementsMapped; a later one takes its place.
+struct MapElements {
+    std::shared_ptr<const DerivedPicture> picture;
+    std::shared_ptr<const Scene> drawing;
+};
 struct CloseWindow {};
 
 using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, CloseWindow>;
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau
