@@ -1,11 +1,11 @@
 #include "editor/effects/effects.h"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "analyzer/analyze.h"
-#include "editor/effects/progress_posts.h"
+#include "editor/effects/analysis_jobs.h"
+#include "editor/effects/guarded.h"
 #include "editor/effects/read_document.h"
 #include "editor/effects/write_export.h"
 #include "files/files.h"
@@ -19,17 +19,8 @@ namespace {
 /// What is allowed to a picture that is derived between two frames.
 constexpr double seconds_at_once = 0.05;
 constexpr std::uint64_t modules_at_once = 1'000'000;
-
-/// Runs the work; what it throws is told by `fail`. JobCancelled passes.
-void guarded(const std::function<void()>& work, const std::function<void(std::string)>& fail) {
-    try {
-        work();
-    } catch (const std::bad_alloc&) {
-        fail("The memory does not suffice");
-    } catch (const std::exception& error) {
-        fail(error.what());
-    }
-}
+/// In a picture with no more elements a selection is found between two frames.
+constexpr std::size_t elements_at_once = 20'000;
 
 }  // namespace
 
@@ -37,7 +28,10 @@ Effects::Effects(ActionQueue& answers)
     : answers_(answers),
       files_([this](Action action) { answers_.post(std::move(action)); }),
       pictures_([this](Action action) { answers_.post(std::move(action)); }),
-      analyses_([this](Action action) { answers_.post(std::move(action)); }) {}
+      selections_([this](Action action) { answers_.post(std::move(action)); }),
+      analyses_([this](Action action) { answers_.post(std::move(action)); }),
+      clusters_([this](Action action) { answers_.post(std::move(action)); }),
+      maps_([this](Action action) { answers_.post(std::move(action)); }) {}
 
 void Effects::fulfil(const Request& request) {
     std::visit([this](const auto& known) { one(known); }, request);
@@ -98,27 +92,24 @@ void Effects::one(const DerivePicture& request) {
     });
 }
 
-void Effects::one(const RunAnalysis& request) {
-    analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
-        ProgressPosts posts;
-        const Progress told = [&](std::string_view stage, double fraction) {
-            progress(stage, fraction);
-            if (posts.worth(stage, std::chrono::steady_clock::now()))
-                post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
-        };
-        guarded(
-            [&] {
-                const auto kept = cache->prepared(request.drawing, request.options, told);
-                auto found = std::make_shared<const Analysis>(analyze(kept->prepared, request.options, told));
-                post(AnalysisAction{AnalysisDone{request.job, std::move(found)}});
-            },
-            [&](std::string message) {
-                post(AnalysisAction{AnalysisFailed{request.job, std::move(message)}});
-            });
+void Effects::one(const FindSelection& request) {
+    selections_.stop();
+    if (request.search.picture->items.size() <= elements_at_once) {
+        answers_.post(CanvasAction{find_selection(request.search)});
+        return;
+    }
+    selections_.start([search = request.search](const Progress& progress, const Worker::Post& post) {
+        post(CanvasAction{find_selection(search, progress)});
     });
 }
 
+void Effects::one(const RunAnalysis& request) { analyses_.start(analysis_job(request, prepared_)); }
+
 void Effects::one(const StopAnalysis&) { analyses_.stop(); }
+
+void Effects::one(const TabulateClusters& request) { clusters_.start(clusters_job(request, prepared_)); }
+
+void Effects::one(const MapElements& request) { maps_.start(mapping_job(request)); }
 
 void Effects::one(const CloseWindow&) { closing_ = true; }
 

@@ -25,15 +25,21 @@ class Effects {
     void one(const WriteDocument& request);
     void one(const WriteExport& request);
     void one(const DerivePicture& request);
+    void one(const FindSelection& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
+    void one(const TabulateClusters& request);
+    void one(const MapElements& request);
     void one(const CloseWindow& request);
 
     ActionQueue& answers_;
     Worker files_;
     Worker pictures_;
+    Worker selections_;
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_;
+    Worker clusters_;
+    Worker maps_;
     bool closing_ = false;
 };
 

@@ -106,9 +106,11 @@ class OutlineWriter {
     void inner_join(Point at, Point in, Point out, double shorter) {
         const Point end = half_width_ * to_the_right(in);
         const Point start = half_width_ * to_the_right(out);
-        // Each side gives up half_width tan(turn / 2), of which it can give half its length.
+        // Each side gives up half_width tan(turn / 2), of which it can give half its length. The tangent of near half turns
+        // is all rounding.
+        constexpr double sharpest = 0.1;
         const double cosine_above = 1 + dot(in, out);
-        if (half_width_ * std::abs(cross(in, out)) <= 0.5 * shorter * cosine_above) {
+        if (cosine_above > sharpest && half_width_ * std::abs(cross(in, out)) <= 0.5 * shorter * cosine_above) {
             contour_.push_back(at + (end + start) / cosine_above);
         } else {
             contour_.insert(contour_.end(), {at + end, at, at + start});

@@ -1,81 +1,62 @@
-// Polygons by the sweep of the GLU tessellator, which works without a context.
-
 #include "editor/mesh/triangulate.h"
 
-#include <GL/glu.h>
-
-#include <array>
-#include <deque>
-#include <memory>
+#include <algorithm>
+#include <utility>
 
 namespace rinceau {
 namespace {
 
-/// What the callbacks of one polygon fill. Addresses of corners must hold until the polygon ends: hence the deque.
-struct Sweep {
-    struct Corner {
-        std::array<GLdouble, 3> at;
-        std::uint32_t index;
+/// The sweep is at its fastest, a corner, with about so many.
+constexpr std::size_t swept_at_once = 500;
+
+double median(const Contours& contours, Axis axis) {
+    std::vector<double> values;
+    values.reserve(corner_count(contours));
+    for (const std::vector<Point>& contour : contours)
+        for (const Point p : contour) values.push_back(along(axis, p));
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// Cut where the larger half is smaller.
+CutContours halved(const Contours& contours) {
+    const auto larger = [](const CutContours& halves) {
+        return std::max(corner_count(halves.low), corner_count(halves.high));
     };
-    std::deque<Corner> corners;
-    Triangles result;
+    CutContours by_x = cut(contours, Axis::x, median(contours, Axis::x));
+    CutContours by_y = cut(contours, Axis::y, median(contours, Axis::y));
+    return larger(by_x) < larger(by_y) ? std::move(by_x) : std::move(by_y);
+}
 
-    Corner* add(Point p) {
-        corners.push_back({{p.x, p.y, 0}, static_cast<std::uint32_t>(corners.size())});
-        result.points.push_back(p);
-        return &corners.back();
+void append(Triangles& triangles, const Triangles& more) {
+    const auto first = static_cast<std::uint32_t>(triangles.points.size());
+    triangles.points.insert(triangles.points.end(), more.points.begin(), more.points.end());
+    for (const std::uint32_t index : more.indices) triangles.indices.push_back(first + index);
+}
+
+void add_triangles(Triangles& triangles, const Contours& contours, FillRule rule) {
+    const std::size_t count = corner_count(contours);
+    if (count > swept_at_once) {
+        const CutContours halves = halved(contours);
+        // Where all edges meet, cutting does not help.
+        constexpr double least_gain = 0.9;
+        const auto enough = static_cast<std::size_t>(least_gain * static_cast<double>(count));
+        if (corner_count(halves.low) < enough && corner_count(halves.high) < enough) {
+            add_triangles(triangles, halves.low, rule);
+            add_triangles(triangles, halves.high, rule);
+            return;
+        }
     }
-};
-
-void on_vertex(void* corner, void* sweep) {
-    static_cast<Sweep*>(sweep)->result.indices.push_back(static_cast<const Sweep::Corner*>(corner)->index);
-}
-
-void on_crossing(const GLdouble at[3], void* [4], const GLfloat[4], void** corner, void* sweep) {
-    *corner = static_cast<Sweep*>(sweep)->add({at[0], at[1]});
-}
-
-/// Being asked for edges, the tessellator gives triangles only, no fans or strips.
-void on_edge(GLboolean) {}
-
-using Callback = void (*)();
-
-template <class Function>
-Callback as_callback(Function* function) {
-    return reinterpret_cast<Callback>(function);
-}
-
-using Tessellator = std::unique_ptr<GLUtesselator, decltype(&gluDeleteTess)>;
-
-Tessellator tessellator_for(FillRule rule) {
-    Tessellator tessellator(gluNewTess(), gluDeleteTess);
-    gluTessNormal(tessellator.get(), 0, 0, 1);
-    gluTessProperty(tessellator.get(), GLU_TESS_WINDING_RULE,
-                    rule == FillRule::evenodd ? GLU_TESS_WINDING_ODD : GLU_TESS_WINDING_NONZERO);
-    gluTessCallback(tessellator.get(), GLU_TESS_VERTEX_DATA, as_callback(on_vertex));
-    gluTessCallback(tessellator.get(), GLU_TESS_COMBINE_DATA, as_callback(on_crossing));
-    gluTessCallback(tessellator.get(), GLU_TESS_EDGE_FLAG, as_callback(on_edge));
-    return tessellator;
+    append(triangles, swept_triangles(contours, rule));
 }
 
 }  // namespace
 
 Triangles triangulated(const Contours& contours, FillRule rule) {
-    Sweep sweep;
-    const Tessellator tessellator = tessellator_for(rule);
-    gluTessBeginPolygon(tessellator.get(), &sweep);
-    for (const std::vector<Point>& contour : contours) {
-        constexpr std::size_t smallest_polygon = 3;
-        if (contour.size() < smallest_polygon) continue;
-        gluTessBeginContour(tessellator.get());
-        for (const Point p : contour) {
-            Sweep::Corner* corner = sweep.add(p);
-            gluTessVertex(tessellator.get(), corner->at.data(), corner);
-        }
-        gluTessEndContour(tessellator.get());
-    }
-    gluTessEndPolygon(tessellator.get());
-    return std::move(sweep.result);
+    Triangles triangles;
+    add_triangles(triangles, contours, rule);
+    return triangles;
 }
 
 }  // namespace rinceau

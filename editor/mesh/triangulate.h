@@ -1,23 +1,11 @@
 #pragma once
-// Polygons that may cross themselves as triangles that do not overlap.
+// Polygons of any size that may cross themselves as triangles.
 
-#include <cstdint>
-#include <vector>
-
-#include "geometry/point.h"
-#include "scene/style.h"
+#include "editor/mesh/sweep.h"
 
 namespace rinceau {
 
-/// Corners in order, the last joined to the first.
-using Contours = std::vector<std::vector<Point>>;
-
-struct Triangles {
-    std::vector<Point> points;
-    std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise
-};
-
-/// The inside of the contours by the rule. All points must be finite.
+/// As swept_triangles, in time that grows little faster than the number of corners: large contours are cut into parts.
 Triangles triangulated(const Contours& contours, FillRule rule);
 
 }  // namespace rinceau

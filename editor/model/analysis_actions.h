@@ -58,7 +58,8 @@ struct KeepCluster {
 };
 /// It is known which items of a picture stand for which elements.
 struct ElementsMapped {
-    std::shared_ptr<const ElementItems> items;
+    std::shared_ptr<const ElementItems> items;  ///< null: it could not be found out
+    std::string message;                        ///< why
 };
 
 /// A terminal is chosen to be merged with others, or no longer.

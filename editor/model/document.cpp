@@ -37,7 +37,7 @@ Document with_grammar(const Document& document, Grammar grammar) {
     return changed;
 }
 
-bool rules_were_edited(const Document& document) { return document.found && document.grammar != document.found; }
+bool rules_were_edited(const Document& document) { return document.origin && document.grammar != document.origin; }
 
 bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b) {
     const auto values = [](const AnalyzeOptions& o) {
@@ -51,7 +51,8 @@ bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b) {
 bool same_document(const Document& a, const Document& b) {
     const bool same_grammar = a.grammar == b.grammar || to_text(*a.grammar) == to_text(*b.grammar);
     return same_grammar && a.drawing == b.drawing && a.used == b.used && a.report == b.report &&
-           same_analysis(a.analysis, b.analysis) && same_derivation(a.derive, b.derive) && a.locked == b.locked;
+           same_analysis(a.analysis, b.analysis) && same_derivation(a.derive, b.derive) && a.locked == b.locked &&
+           a.origin == b.origin;
 }
 
 }  // namespace rinceau

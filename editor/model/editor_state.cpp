@@ -13,6 +13,11 @@ EditorState initial_state() {
 
 const Document& shown_document(const EditorState& state) { return state.preview ? *state.preview : state.document; }
 
+bool is_busy(const EditorState& state) {
+    const bool derives = state.picture_revision != state.revision && state.picture_mistake.empty();
+    return derives || state.analysis.running || !state.file.opening.empty();
+}
+
 bool has_unsaved_changes(const EditorState& state) {
     return state.document.grammar != state.file.saved_grammar &&
            (!state.file.saved_grammar || to_text(*state.document.grammar) != to_text(*state.file.saved_grammar));

@@ -55,6 +55,9 @@ EditorState initial_state();
 /// What is to be seen: the preview, or the document.
 const Document& shown_document(const EditorState& state);
 
+/// Is something being read, derived or analysed, so that more will change by itself?
+bool is_busy(const EditorState& state);
+
 bool has_unsaved_changes(const EditorState& state);
 
 }  // namespace rinceau

@@ -9,6 +9,7 @@
 #include "analyzer/analyze.h"
 #include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
+#include "editor/model/find_selection.h"
 
 namespace rinceau {
 
@@ -32,6 +33,10 @@ struct DerivePicture {
     std::uint64_t revision = 0;
     Document document;
 };
+/// Answered by SelectionFound; a later one takes its place.
+struct FindSelection {
+    SelectionSearch search;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
@@ -54,7 +59,8 @@ struct MapElements {
 struct CloseWindow {};
 
 using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, CloseWindow>;
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis,
+                 TabulateClusters, MapElements, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

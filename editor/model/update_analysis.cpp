@@ -39,7 +39,7 @@ void stop(Update& update) {
 Document with_analysis(const Document& document, const std::shared_ptr<const Analysis>& analysis,
                        const AnalyzeOptions& options) {
     Document after = document;
-    after.grammar = after.resolved = after.found = {analysis, &analysis->grammar};
+    after.grammar = after.resolved = after.origin = {analysis, &analysis->grammar};
     after.report = {analysis, &analysis->report};
     after.used = nullptr;
     after.analysis = options;

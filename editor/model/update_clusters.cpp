@@ -98,7 +98,13 @@ void analyse(Update& update, const KeepCluster& action) {
 
 void analyse(Update& update, const ElementsMapped& action) {
     ClustersState& clusters = update.state.clusters;
-    if (!action.items || action.items->picture != clusters.mapping) return;  // it was asked for another picture since
+    if (!action.items) {
+        clusters.pending.reset();
+        clusters.hovered = clusters.kept = -1;
+        tell(update, MessageKind::mistake, "The elements could not be found in the picture: " + action.message);
+        return;
+    }
+    if (action.items->picture != clusters.mapping) return;  // it was asked for another picture since
     clusters.mapping.reset();
     clusters.items = action.items;
 }

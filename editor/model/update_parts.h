@@ -25,13 +25,15 @@ void show_anew(Update& update);
 /// The document becomes `after`, and undo brings back the one from before. Drops a preview.
 void record_edit(Update& update, Document after, const std::string& label);
 
-/// The edit of the document's grammar is made, checked (lsystem/check_edit.h) and recorded, and what it changed is told.
-/// If it throws InputError or LimitError this is told and nothing changes.
+/// The edit of the document's grammar is made, locked numbers are put back (lsystem/keep_locked.h), the result is checked
+/// (lsystem/check_edit.h) and recorded, and what it changed is told. If it throws InputError or LimitError this is told and nothing changes.
 void edit_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
 
 /// The same as a preview of what the document would be; what goes wrong is not told while the mouse moves.
 void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
 
+/// What the panel of rules shows is said of the grammars that are shown and reset to, if these are others than before.
+void refresh_rule_sheets(EditorState& state);
 /// What was found while something else was dragged becomes the document's grammar as soon as nothing is.
 void settle_analysis(Update& update);
 
