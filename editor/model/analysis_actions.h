@@ -74,8 +74,8 @@ struct SplitSelection {};
 /// What was merged and split by hand is left to the analysis again.
 struct ForgetGrouping {};
 
-using AnalysisAction = std::variant<StartAnalysis, TryAnalysis, CancelAnalysis, AnalysisProgress, AnalysisDone, AnalysisFailed,
-                                    ShowClusters, ClustersFound, ClustersFailed, HoverCluster, KeepCluster, ElementsMapped,
-                                    ChooseTerminal, MergeTerminals, SplitSelection, ForgetGrouping>;
+using AnalysisAction = std::variant<StartAnalysis, TryAnalysis, CancelAnalysis, AnalysisProgress, AnalysisDone,
+                                    AnalysisFailed, ShowClusters, ClustersFound, ClustersFailed, HoverCluster, KeepCluster,
+                                    ElementsMapped, ChooseTerminal, MergeTerminals, SplitSelection, ForgetGrouping>;
 
 }  // namespace rinceau

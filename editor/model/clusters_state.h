@@ -28,8 +28,8 @@ struct PendingGrouping {
 };
 
 struct ClustersState {
-    bool wanted = false;                           ///< the table is shown: it follows the drawing
-    std::uint64_t job = 0;                         ///< number of the last search for clusters
+    bool wanted = false;    ///< the table is shown: it follows the drawing
+    std::uint64_t job = 0;  ///< number of the last search for clusters
     bool running = false;
     AnalyzeOptions options;                        ///< of that search
     std::string mistake;                           ///< why the last one failed

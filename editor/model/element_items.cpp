@@ -52,7 +52,7 @@ std::optional<double> difference(const Spot& a, const Spot& b, double speck) {
 
 ElementItems items_of_elements(std::shared_ptr<const DerivedPicture> picture, const Scene& drawing,
                                const Progress& progress) {
-    constexpr std::size_t candidates = 8;     // items in one place that may stand for an element
+    constexpr std::size_t candidates = 8;  // items in one place that may stand for an element
     constexpr double speck_in_diagonals = 1e-6;
     const std::vector<Spot> items = spots_of_items(*picture);
     std::vector<Point> middles;

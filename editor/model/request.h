@@ -58,9 +58,8 @@ struct MapElements {
 };
 struct CloseWindow {};
 
-using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis,
-                 TabulateClusters, MapElements, CloseWindow>;
+using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis,
+                             StopAnalysis, TabulateClusters, MapElements, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

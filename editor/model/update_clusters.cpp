@@ -51,7 +51,8 @@ void light(Update& update, int row) {
     ClustersState& clusters = state.clusters;
     const bool lit_by_others = state.canvas.lit && state.canvas.lit != clusters.lit;
     if (lit_by_others && clusters.hovered < 0) return;
-    const bool is_lit = clusters.lit && clusters.lit_row == row && clusters.items && clusters.items->picture == state.picture;
+    const bool is_lit =
+        clusters.lit && clusters.lit_row == row && clusters.items && clusters.items->picture == state.picture;
     if (is_lit && state.canvas.lit == clusters.lit) return;
     const auto items = current_items(update);
     if (!items) return;

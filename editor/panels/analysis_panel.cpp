@@ -31,6 +31,8 @@ class Settings {
         if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s", help);
         set(options_, value);
         if (changed) actions_.push_back(AnalysisAction{TryAnalysis{options_}});
+        if (ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+            actions_.push_back(RulesAction{DropPreview{}});
         // Esc may have dropped what was tried: then there is nothing to begin.
         if (ImGui::IsItemDeactivatedAfterEdit() && (state_.preview || state_.analysis.running || changed))
             actions_.push_back(AnalysisAction{StartAnalysis{options_}});
