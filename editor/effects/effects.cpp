@@ -29,6 +29,8 @@ Effects::Effects(ActionQueue& answers)
       files_([this](Action action) { answers_.post(std::move(action)); }),
       pictures_([this](Action action) { answers_.post(std::move(action)); }),
       selections_([this](Action action) { answers_.post(std::move(action)); }),
+      lights_([this](Action action) { answers_.post(std::move(action)); }),
+      befores_([this](Action action) { answers_.post(std::move(action)); }),
       analyses_([this](Action action) { answers_.post(std::move(action)); }),
       clusters_([this](Action action) { answers_.post(std::move(action)); }),
       maps_([this](Action action) { answers_.post(std::move(action)); }) {}
@@ -100,6 +102,29 @@ void Effects::one(const FindSelection& request) {
     }
     selections_.start([search = request.search](const Progress& progress, const Worker::Post& post) {
         post(CanvasAction{find_selection(search, progress)});
+    });
+}
+
+void Effects::one(const LightRule& request) {
+    lights_.start([request](const Progress& progress, const Worker::Post& post) {
+        guarded(
+            [&] {
+                LitItems lit = lit_by_rule(request.document, request.production, progress);
+                post(CanvasAction{RuleLit{request.revision, request.production, std::move(lit)}});
+            },
+            [](const std::string&) {});  // what has no picture has nothing to light
+    });
+}
+
+void Effects::one(const DeriveBefore& request) {
+    befores_.start([document = request.document](const Progress& progress, const Worker::Post& post) {
+        guarded(
+            [&] {
+                DerivedPicture picture =
+                    document.drawing ? drawing_picture(*document.drawing) : derive_picture(document, progress);
+                post(CanvasAction{BeforeDerived{std::make_shared<const DerivedPicture>(std::move(picture))}});
+            },
+            [](const std::string&) {});  // a document that was open has had a picture
     });
 }
 

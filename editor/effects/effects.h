@@ -26,6 +26,8 @@ class Effects {
     void one(const WriteExport& request);
     void one(const DerivePicture& request);
     void one(const FindSelection& request);
+    void one(const LightRule& request);
+    void one(const DeriveBefore& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const TabulateClusters& request);
@@ -36,6 +38,8 @@ class Effects {
     Worker files_;
     Worker pictures_;
     Worker selections_;
+    Worker lights_;
+    Worker befores_;
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_;
     Worker clusters_;

@@ -10,6 +10,7 @@
 #include "analyzer/analyze.h"
 #include "analyzer/cluster_table.h"
 #include "editor/model/element_items.h"
+#include "editor/model/lit_items.h"
 
 namespace rinceau {
 
@@ -37,7 +38,7 @@ struct ClustersState {
     int hovered = -1;                              ///< row of the table; -1 = none
     int kept = -1;                                 ///< row that stays lit
     int lit_row = -1;                              ///< row that is lit on the canvas ..
-    std::shared_ptr<const std::vector<char>> lit;  ///< .. by these flags
+    LitItems lit;                                  ///< .. by these flags
 
     std::shared_ptr<const ElementItems> items;      ///< of a picture that may be an older one
     std::shared_ptr<const DerivedPicture> mapping;  ///< picture whose items are being matched; null = none

@@ -37,6 +37,16 @@ struct DerivePicture {
 struct FindSelection {
     SelectionSearch search;
 };
+/// Answered by RuleLit; a later one takes its place.
+struct LightRule {
+    std::uint64_t revision = 0;
+    Document document;
+    int production = -1;
+};
+/// The picture of the drawing, or else of the grammar. Answered by BeforeDerived, or PictureFailed.
+struct DeriveBefore {
+    Document document;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
@@ -58,8 +68,8 @@ struct MapElements {
 };
 struct CloseWindow {};
 
-using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis,
-                             StopAnalysis, TabulateClusters, MapElements, CloseWindow>;
+using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, LightRule, DeriveBefore,
+                             RunAnalysis, StopAnalysis, TabulateClusters, MapElements, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

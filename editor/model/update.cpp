@@ -75,6 +75,8 @@ void replace_document(Update& update, Document document) {
     forget_analysis(update);
     state.canvas.fit_pending = true;
     state.canvas.drag.reset();
+    state.canvas.onion = OnionMode::off;
+    state.canvas.before.reset();
     perform(update, CanvasAction{ClearSelection{}});
     show_anew(update);
 }

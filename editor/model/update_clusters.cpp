@@ -30,16 +30,16 @@ bool is_stale(const ClustersState& clusters, const Document& document) {
            !same_looks(clusters.found->options, document.analysis);
 }
 
-void put_out(EditorState& state) {
-    ClustersState& clusters = state.clusters;
-    if (clusters.lit && state.canvas.lit == clusters.lit) state.canvas.lit.reset();
+void put_out(Update& update) {
+    ClustersState& clusters = update.state.clusters;
+    if (clusters.lit && update.state.canvas.lit == clusters.lit) perform(update, CanvasAction{HoverItems{}});
     clusters.lit.reset();
     clusters.lit_row = -1;
 }
 
-void forget_rows(EditorState& state) {
-    put_out(state);
-    state.clusters.hovered = state.clusters.kept = -1;
+void forget_rows(Update& update) {
+    put_out(update);
+    update.state.clusters.hovered = update.state.clusters.kept = -1;
 }
 
 bool is_row(const ClustersState& clusters, int row) {
@@ -59,7 +59,7 @@ void light(Update& update, int row) {
     const std::vector<int>& elements = clusters.found->table.rows[static_cast<std::size_t>(row)].elements;
     clusters.lit = std::make_shared<const std::vector<char>>(flags_of_elements(*items, elements));
     clusters.lit_row = row;
-    state.canvas.lit = clusters.lit;
+    perform(update, CanvasAction{HoverItems{clusters.lit}});
 }
 
 }  // namespace
@@ -68,14 +68,14 @@ void analyse(Update& update, const ShowClusters& action) {
     ClustersState& clusters = update.state.clusters;
     clusters.wanted = action.shown;
     clusters.mistake.clear();
-    if (!action.shown) forget_rows(update.state);
+    if (!action.shown) forget_rows(update);
 }
 
 void analyse(Update& update, const ClustersFound& action) {
     ClustersState& clusters = update.state.clusters;
     if (action.job != clusters.job || !clusters.running) return;
     clusters.running = false;
-    forget_rows(update.state);
+    forget_rows(update);
     clusters.found = action.clusters;
 }
 
@@ -127,7 +127,7 @@ void follow_clusters(Update& update) {
     ClustersState& clusters = state.clusters;
     const bool same_drawing = clusters.found && clusters.found->drawing == state.document.drawing;
     if (clusters.found && !same_drawing) {
-        forget_rows(state);
+        forget_rows(update);
         clusters.found.reset();
     }
     if (clusters.wanted && state.document.drawing && is_stale(clusters, state.document)) find_clusters(update);
@@ -135,7 +135,7 @@ void follow_clusters(Update& update) {
     if (row >= 0) {
         light(update, row);
     } else if (clusters.lit) {
-        put_out(state);
+        put_out(update);
     }
 }
 
