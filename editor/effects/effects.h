@@ -36,6 +36,8 @@ class Effects {
     void one(const StopAnalysis& request);
     void one(const RunTool& request);
     void one(const ReadReplacement& request);
+    void one(const TabulateClusters& request);
+    void one(const MapElements& request);
     void one(const CloseWindow& request);
     void one(const StopExport& request);
     void one(const HoldFile& request);
@@ -56,6 +58,8 @@ class Effects {
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_{post_};
     Worker tools_{post_};
+    Worker clusters_{post_};
+    Worker maps_{post_};
     bool closing_ = false;
     std::shared_ptr<std::atomic<bool>> export_stopped_;  ///< of the last export
     Errands looks_;                                      ///< at folders

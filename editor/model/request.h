@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analyzer/analyze.h"
+#include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
@@ -94,6 +95,17 @@ struct RunAnalysis {
 };
 /// Not answered.
 struct StopAnalysis {};
+/// Answered by ClustersFound or ClustersFailed; a later one takes its place.
+struct TabulateClusters {
+    std::uint64_t job = 0;
+    std::shared_ptr<const Scene> drawing;
+    AnalyzeOptions options;
+};
+/// Answered by ElementsMapped; a later one takes its place.
+struct MapElements {
+    std::shared_ptr<const DerivedPicture> picture;
+    std::shared_ptr<const Scene> drawing;
+};
 /// Answered by ToolDone or ToolFailed.
 struct RunTool {
     std::uint64_t job = 0;
@@ -122,6 +134,8 @@ using Request = std::variant<
     DeriveBefore,
     RunAnalysis,
     StopAnalysis,
+    TabulateClusters,
+    MapElements,
     RunTool,
     ReadReplacement,
     CloseWindow,

@@ -106,7 +106,6 @@ void replace_document(Update& update, Document document) {
     EditorState& state = update.state;
     state.document = std::move(document);
     if (!state.document.origin) state.document.origin = state.document.grammar;
-    if (state.document.drawing && !state.document.found) state.document.found = state.document.grammar;
     state.history = {};
     state.preview.reset();
     forget_analysis(update);
