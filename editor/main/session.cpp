@@ -16,6 +16,8 @@
 #include <utility>
 
 #include "editor/effects/effects.h"
+#include "editor/effects/kept_preferences.h"
+#include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
 #include "editor/main/offscreen_frame.h"
 #include "editor/main/window.h"
@@ -38,7 +40,12 @@ constexpr int output_not_written = 4;
 class Session {
   public:
     Session(Window& window, const EditorOptions& options)
-        : window_(window), options_(options), state_(initial_state()), answers_(glfwPostEmptyEvent), effects_(answers_) {
+        : window_(window),
+          options_(options),
+          state_(initial_state()),
+          answers_(glfwPostEmptyEvent),
+          effects_(answers_, folders_of(options)) {
+        if (options.screenshot.empty()) begin_keeping();
         if (!options.screenshot.empty()) offscreen_.emplace(options.width, options.height);
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
@@ -64,6 +71,24 @@ class Session {
     }
 
   private:
+    /// A screenshot shows the file alone, whatever was done before.
+    static KeptFolders folders_of(const EditorOptions& options) {
+        return options.screenshot.empty() ? KeptFolders{state_folder(), config_folder()} : KeptFolders{};
+    }
+    void begin_keeping() {
+        const PreferencesInFile read = read_preferences(config_folder());
+        act(RecoveryAction{PreferencesRead{read.preferences, read.mistake}});
+        if (options_.autosave_seconds > 0) state_.recovery.interval = options_.autosave_seconds;
+        act(RecoveryAction{LookForRecoverables{}});
+    }
+    void tick() {
+        constexpr double seconds_a_tick = 1;
+        const double now = glfwGetTime();
+        if (!options_.screenshot.empty() || now < last_tick_ + seconds_a_tick) return;
+        last_tick_ = now;
+        act(RecoveryAction{Tick{now}});
+    }
+
     static constexpr double longest_wait = 0.5;  // seconds: a text cursor blinks
     static constexpr int frames_of_input = 2;    // ImGui shows the effect of an input one frame later
 
@@ -83,6 +108,7 @@ class Session {
         for (const Action& answer : answers_.drain()) act(answer);
     }
     void frame() {
+        tick();
         for (const Action& answer : answers_.drain()) {
             act(answer);
             pending_frames_ = frames_of_input;
@@ -155,6 +181,7 @@ class Session {
     std::optional<OffscreenFrame> offscreen_;
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
+    double last_tick_ = 0;
 };
 
 int take_screenshot(Window& window, const EditorOptions& options) {

@@ -10,8 +10,9 @@
 #include "analyzer/analyze.h"
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
-#include "editor/model/view_transform.h"
 #include "editor/model/find_selection.h"
+#include "editor/model/preferences.h"
+#include "editor/model/view_transform.h"
 
 namespace rinceau {
 
@@ -55,6 +56,30 @@ struct LookAtPath {
     std::string path;
     std::string from;
 };
+/// Answered by SamplesListed.
+struct ListSamples {};
+/// The document into this window's copy for emergencies, as opened from `path`. Answered by RecoveryWritten or
+/// RecoveryFailed.
+struct WriteRecovery {
+    Document document;
+    ViewTransform view;
+    std::string path;
+    std::optional<FileStamp> stamp;
+};
+/// This window's copy goes.
+struct RemoveRecovery {};
+/// Answered by RecoverablesFound.
+struct FindRecoverables {};
+/// A copy that was found becomes this window's. Answered by DocumentRecovered or RecoverableFailed.
+struct ReadRecovery {
+    std::string file;
+};
+struct DiscardRecovery {
+    std::string file;
+};
+struct WritePreferences {
+    Preferences preferences;
+};
 /// Answered by PictureDerived or PictureFailed; a later one takes its place.
 struct DerivePicture {
     std::uint64_t revision = 0;
@@ -74,8 +99,10 @@ struct RunAnalysis {
 struct StopAnalysis {};
 struct CloseWindow {};
 
-using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis,
-                             StopAnalysis, CloseWindow, StopExport, HoldFile, ListFolder, MakeFolder, LookAtPath>;
+using Request =
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis,
+                 CloseWindow, StopExport, HoldFile, ListFolder, MakeFolder, LookAtPath, ListSamples, WriteRecovery,
+                 RemoveRecovery, FindRecoverables, ReadRecovery, DiscardRecovery, WritePreferences>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

@@ -17,6 +17,7 @@ void perform(Update& update, const CanvasAction& action);
 void perform(Update& update, const AnalysisAction& action);
 void perform(Update& update, const ShellAction& action);
 void perform(Update& update, const DialogAction& action);
+void perform(Update& update, const RecoveryAction& action);
 
 void tell(Update& update, MessageKind kind, std::string text);
 
@@ -27,7 +28,8 @@ void show_anew(Update& update);
 void record_edit(Update& update, Document after, const std::string& label);
 
 /// The edit of the document's grammar is made, locked numbers are put back (lsystem/keep_locked.h), the result is checked
-/// (lsystem/check_edit.h) and recorded, and what it changed is told. If it throws InputError or LimitError this is told and nothing changes.
+/// (lsystem/check_edit.h) and recorded, and what it changed is told. If it throws InputError or LimitError this is told and
+/// nothing changes.
 void edit_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
 
 /// The same as a preview of what the document would be; what goes wrong is not told while the mouse moves.
