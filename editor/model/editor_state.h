@@ -15,6 +15,7 @@
 #include "editor/model/document.h"
 #include "editor/model/file_state.h"
 #include "editor/model/history.h"
+#include "editor/model/recovery_state.h"
 #include "editor/model/rules_state.h"
 #include "editor/model/shell_state.h"
 #include "editor/model/tools_state.h"
@@ -42,6 +43,7 @@ struct EditorState {
 
     FileState file;
     DialogState dialog;
+    RecoveryState recovery;
     RulesState rules;
     ToolsState tools;
     CanvasState canvas;

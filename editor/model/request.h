@@ -12,6 +12,7 @@
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
+#include "editor/model/preferences.h"
 #include "editor/model/tool_edit.h"
 #include "editor/model/view_transform.h"
 
@@ -56,6 +57,30 @@ struct MakeFolder {
 struct LookAtPath {
     std::string path;
     std::string from;
+};
+/// Answered by SamplesListed.
+struct ListSamples {};
+/// The document into this window's copy for emergencies, as opened from `path`. Answered by RecoveryWritten or
+/// RecoveryFailed.
+struct WriteRecovery {
+    Document document;
+    ViewTransform view;
+    std::string path;
+    std::optional<FileStamp> stamp;
+};
+/// This window's copy goes.
+struct RemoveRecovery {};
+/// Answered by RecoverablesFound.
+struct FindRecoverables {};
+/// A copy that was found becomes this window's. Answered by DocumentRecovered or RecoverableFailed.
+struct ReadRecovery {
+    std::string file;
+};
+struct DiscardRecovery {
+    std::string file;
+};
+struct WritePreferences {
+    Preferences preferences;
 };
 /// Answered by PictureDerived or PictureFailed; a later one takes its place.
 struct DerivePicture {
@@ -143,7 +168,14 @@ using Request = std::variant<
     HoldFile,
     ListFolder,
     MakeFolder,
-    LookAtPath
+    LookAtPath,
+    ListSamples,
+    WriteRecovery,
+    RemoveRecovery,
+    FindRecoverables,
+    ReadRecovery,
+    DiscardRecovery,
+    WritePreferences
 >;
 // clang-format on
 using Requests = std::vector<Request>;

@@ -18,6 +18,7 @@ void perform(Update& update, const CanvasAction& action);
 void perform(Update& update, const AnalysisAction& action);
 void perform(Update& update, const ShellAction& action);
 void perform(Update& update, const DialogAction& action);
+void perform(Update& update, const RecoveryAction& action);
 
 void tell(Update& update, MessageKind kind, std::string text);
 
