@@ -204,6 +204,30 @@ void append_section(std::string& text, const std::string& section) {
 
 }  // namespace
 
+namespace {
+
+/// Line ends and the indentation behind them become one blank. No statement of modules holds quoted text.
+std::string in_one_line(const std::string& statement) {
+    std::string text;
+    for (const char c : statement) {
+        const bool blank = is_blank(c);
+        if (!blank || (!text.empty() && text.back() != ' ')) text += blank ? ' ' : c;
+    }
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+}  // namespace
+
+std::string statement_text(const Production& production) { return in_one_line(production_text(production)); }
+
+std::string statement_text(const Exception& exception) { return in_one_line(exception_text(exception)); }
+
+std::string axiom_text(const Grammar& grammar) {
+    constexpr std::string_view axiom = "axiom:";
+    return in_one_line(std::string(axiom) + modules_text(grammar.axiom, axiom.size()));
+}
+
 std::string to_text(const Grammar& grammar) {
     std::string text = "lsystem 1\n";
     if (!grammar.title.empty()) text += "title " + quoted(grammar.title) + '\n';

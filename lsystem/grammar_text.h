@@ -17,6 +17,11 @@ Grammar parse_grammar(std::string_view text, const std::string& file_name = {});
 /// parse_grammar(to_text(g)) gives g again (places aside); numbers in shortest round-trip form.
 std::string to_text(const Grammar& grammar);
 
+/// One production, exception or the axiom as it stands in the text: in one line, without comment.
+std::string statement_text(const Production& production);
+std::string statement_text(const Exception& exception);
+std::string axiom_text(const Grammar& grammar);
+
 struct GrammarFindings {
     std::vector<Warning> mistakes;  ///< what was expected, what was found, and the cure; empty = good
     std::vector<Warning> hints;     ///< what is right but perhaps not meant (grammar_hints.h); only without mistakes

@@ -30,7 +30,9 @@ struct StreamPlace {
 ///       void exception(int index), called when an exception takes the place of a module.
 ///       If it has them: void opened(const CompiledModule&, std::span<const double> arguments, int generation), called when
 ///       a module is replaced by what a production or an exception makes of it (an exception: without arguments), with the
-///       steps that its modules have taken, and void closed() when all of that has been passed.
+///       steps that its modules have taken, and void closed() when all of that has been passed. opened may instead take
+///       (const CompiledModule&, std::span<const double> arguments, int production, const StreamPlace&): by which production
+///       (of an exception: -1), and where the module stands.
 /// A sink with a member draws_nothing gets the derived string: homomorphisms do not apply.
 /// tracked: addresses and trails are kept and exceptions apply. A grammar with exceptions needs it.
 /// keyed: modules have keys to draw by. A grammar that draws anything needs it.
@@ -278,13 +280,17 @@ class ModuleStream {
         return true;
     }
 
-    void tell_opened(const CompiledModule& module, std::span<const double> arguments, int generation) {
+    void tell_opened(const Frame& at, const CompiledModule& module, std::span<const double> arguments, int generation,
+                     int production, int number) {
         if constexpr (requires { sink_.opened(module, arguments, generation); }) sink_.opened(module, arguments, generation);
+        const StreamPlace place{{at.occurrence, module.position}, address_, number, trail_};
+        if constexpr (requires { sink_.opened(module, arguments, production, place); })
+            sink_.opened(module, arguments, production, place);
     }
 
     void open_exception(const Frame& at, const CompiledModule& module, const CompiledString& successor,
                         const Standing& standing) {
-        tell_opened(module, {}, at.generation);
+        tell_opened(at, module, {}, at.generation, -1, standing.number);
         int symbols = 0;
         for (const CompiledModule& part : successor) symbols += part.symbol >= command_count;
         trail_.push_back({at.occurrence, module.position});
@@ -313,7 +319,7 @@ class ModuleStream {
         const int between = at.between + (step ? 0 : 1);
         const int occurrence = at.occurrence;
         limits_.count_application(production, generation, between, frames_.size());
-        tell_opened(module, arguments, generation);
+        tell_opened(at, module, arguments, generation, production, standing.number);
         Frame& frame = open(applied.successor, production, applied.symbol);
         frame.generation = generation;
         frame.between = between;

@@ -132,6 +132,24 @@ Picture svg_to_picture(std::string_view svg, int width) {
     return picture;
 }
 
+std::string picture_to_png(const Picture& picture) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height));
+    require_success(cairo_surface_status(surface.get()));
+    unsigned char* rows = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    const std::uint8_t* from = picture.rgb.data();
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x, from += 3) {
+            const std::uint32_t pixel = static_cast<std::uint32_t>(from[0]) << 16U | static_cast<std::uint32_t>(from[1]) << 8U | from[2];
+            std::memcpy(rows + y * stride + 4 * x, &pixel, sizeof pixel);
+        }
+    }
+    cairo_surface_mark_dirty(surface.get());
+    std::string png;
+    require_success(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &png));
+    return png;
+}
+
 std::string svg_to_pdf(std::string_view svg) {
     const Handle handle = open_document(svg);
     const Size size = document_size(handle.get());

@@ -15,6 +15,9 @@ std::string svg_to_png(std::string_view svg, int width = 0);
 /// The same picture over white, as pixels.
 Picture svg_to_picture(std::string_view svg, int width);
 
+/// PNG bytes of a picture. Throws LimitError if it exceeds 32767 pixels a side or has no pixel.
+std::string picture_to_png(const Picture& picture);
+
 /// PDF bytes of an SVG document, one page of its size (96 px = 72 pt).
 std::string svg_to_pdf(std::string_view svg);
 

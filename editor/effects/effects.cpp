@@ -1,9 +1,11 @@
 #include "editor/effects/effects.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "analyzer/analyze.h"
+#include "editor/effects/progress_posts.h"
 #include "editor/effects/read_document.h"
 #include "editor/effects/read_tool_replacement.h"
 #include "editor/effects/write_export.h"
@@ -18,6 +20,8 @@ namespace {
 /// What is allowed to a picture that is derived between two frames.
 constexpr double seconds_at_once = 0.05;
 constexpr std::uint64_t modules_at_once = 1'000'000;
+/// In a picture with no more elements a selection is found between two frames.
+constexpr std::size_t elements_at_once = 20'000;
 
 /// Runs the work; what it throws is told by `fail`. JobCancelled passes.
 void guarded(const std::function<void()>& work, const std::function<void(std::string)>& fail) {
@@ -36,6 +40,7 @@ Effects::Effects(ActionQueue& answers)
     : answers_(answers),
       files_([this](Action action) { answers_.post(std::move(action)); }),
       pictures_([this](Action action) { answers_.post(std::move(action)); }),
+      selections_([this](Action action) { answers_.post(std::move(action)); }),
       analyses_([this](Action action) { answers_.post(std::move(action)); }),
       tools_([this](Action action) { answers_.post(std::move(action)); }) {}
 
@@ -98,16 +103,30 @@ void Effects::one(const DerivePicture& request) {
     });
 }
 
+void Effects::one(const FindSelection& request) {
+    selections_.stop();
+    if (request.search.picture->items.size() <= elements_at_once) {
+        answers_.post(CanvasAction{find_selection(request.search)});
+        return;
+    }
+    selections_.start([search = request.search](const Progress& progress, const Worker::Post& post) {
+        post(CanvasAction{find_selection(search, progress)});
+    });
+}
+
 void Effects::one(const RunAnalysis& request) {
-    job_ = request.job;
-    analyses_.start([request](const Progress& progress, const Worker::Post& post) {
+    analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
+        ProgressPosts posts;
         const Progress told = [&](std::string_view stage, double fraction) {
             progress(stage, fraction);
-            post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
+            if (posts.worth(stage, std::chrono::steady_clock::now()))
+                post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
         };
         guarded(
             [&] {
-                post(AnalysisAction{AnalysisDone{request.job, analyze(*request.drawing, request.options, told)}});
+                const auto kept = cache->prepared(request.drawing, request.options, told);
+                auto found = std::make_shared<const Analysis>(analyze(kept->prepared, request.options, told));
+                post(AnalysisAction{AnalysisDone{request.job, std::move(found)}});
             },
             [&](std::string message) {
                 post(AnalysisAction{AnalysisFailed{request.job, std::move(message)}});
@@ -115,10 +134,7 @@ void Effects::one(const RunAnalysis& request) {
     });
 }
 
-void Effects::one(const StopAnalysis&) {
-    analyses_.stop();
-    answers_.post(AnalysisAction{AnalysisFailed{job_, {}}});
-}
+void Effects::one(const StopAnalysis&) { analyses_.stop(); }
 
 void Effects::one(const RunTool& request) {
     const auto use = [request](const Worker::Post& post) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "editor/effects/action_queue.h"
+#include "editor/effects/analysis_cache.h"
 #include "editor/effects/worker.h"
 #include "editor/model/request.h"
 
@@ -24,6 +25,7 @@ class Effects {
     void one(const WriteDocument& request);
     void one(const WriteExport& request);
     void one(const DerivePicture& request);
+    void one(const FindSelection& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const RunTool& request);
@@ -33,9 +35,10 @@ class Effects {
     ActionQueue& answers_;
     Worker files_;
     Worker pictures_;
+    Worker selections_;
+    std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_;
     Worker tools_;
-    std::uint64_t job_ = 0;  ///< of the analysis that runs
     bool closing_ = false;
 };
 

@@ -3,57 +3,126 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+
+#include "editor/gl/picture_layer.h"
+#include "editor/gl/plan_drawer.h"
+#include "editor/gl/screen_programs.h"
+#include "editor/gl/shape_store.h"
 
 namespace rinceau {
+namespace {
 
-struct PictureRenderer::Parts {
-    unsigned texture = 0;
-    unsigned framebuffer = 0;
-    int width = 0;
-    int height = 0;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto frame_time = std::chrono::milliseconds(20);  // for refining, so that with the panels a frame takes 30
+constexpr int needed_version = 33;
+
+int checked_version() {
+    if (epoxy_gl_version() < needed_version) throw std::runtime_error("OpenGL 3.3 is needed");
+    return epoxy_gl_version();
+}
+
+/// What a frame depends on, besides how far its layers are.
+struct FrameKey {
+    std::shared_ptr<const DerivedPicture> picture;
+    ViewTransform view;
+    PictureEmphasis emphasis;
+    PictureSurround surround;
 };
 
-PictureRenderer::PictureRenderer() : parts_(std::make_unique<Parts>()) {
-    glGenTextures(1, &parts_->texture);
-    glGenFramebuffers(1, &parts_->framebuffer);
+bool same_frame(const FrameKey& a, const FrameKey& b) {
+    return a.picture == b.picture && a.view == b.view && a.surround == b.surround &&
+           same_flags(a.emphasis.lit, b.emphasis.lit) && same_flags(a.emphasis.outlined, b.emphasis.outlined) &&
+           a.emphasis.before == b.emphasis.before && a.emphasis.comparison == b.emphasis.comparison;
 }
 
-PictureRenderer::~PictureRenderer() {
-    glDeleteFramebuffers(1, &parts_->framebuffer);
-    glDeleteTextures(1, &parts_->texture);
+/// The canvas in pixels of the frame, from its lower left corner; empty = all of it.
+Box canvas_pixels(const DerivedPicture* picture, const ViewTransform& view) {
+    if (picture == nullptr) return {view.size, view.size};  // nothing is canvas
+    const Box& canvas = picture->grammar->canvas;
+    if (is_empty(canvas) || width(canvas) <= 0 || height(canvas) <= 0) return {};
+    const auto pixel = [&](Point p) { return 0.5 * view.size + view.zoom * (p - view.center); };
+    return {pixel(canvas.low), pixel(canvas.high)};
 }
 
-bool PictureRenderer::refining() const { return false; }
+}  // namespace
+
+struct PictureRenderer::Parts {
+    int version = checked_version();  // before anything else is made
+    ScreenPrograms screen;
+    PlanDrawer drawer;
+    ShapeStore shapes;
+    PixelTarget frame{PixelFormat::bytes, false};
+    std::shared_ptr<PreparedPicture> shown, compared;
+    PictureLayer picture, lit, before, mask;
+    std::string shortcoming;
+    std::optional<FrameKey> drawn;  ///< what the frame shows
+    bool refining = false;
+
+    std::shared_ptr<PreparedPicture> prepared(const std::shared_ptr<const DerivedPicture>& wanted,
+                                              const std::shared_ptr<PreparedPicture>& old) {
+        if (!wanted) return nullptr;
+        for (const auto& known : {old, shown, compared})
+            if (known && known->looks.picture == wanted) return known;
+        auto made = std::make_shared<PreparedPicture>();
+        made->looks = look_table(wanted, shapes);
+        upload_gradients(made->gradients, made->looks.gradients);
+        return made;
+    }
+
+    void refine(const ViewTransform& view, const PictureEmphasis& emphasis, bool finish) {
+        const auto deadline = Clock::now() + frame_time;
+        const LayerTools tools{drawer, shapes, screen};
+        const auto turn = [&](PictureLayer& layer, const LayerContent& content) {
+            layer.show(content, view);
+            layer.refine(tools, deadline, finish);
+            refining = refining || !layer.finished();
+        };
+        refining = false;
+        const bool compares = emphasis.before && emphasis.comparison != PictureComparison::none;
+        turn(lit, emphasis.lit ? LayerContent{shown, emphasis.lit, false} : LayerContent{});
+        turn(mask, emphasis.outlined ? LayerContent{shown, emphasis.outlined, true} : LayerContent{});
+        turn(picture, {shown, nullptr, false});
+        turn(before, compares ? LayerContent{compared, nullptr, false} : LayerContent{});
+    }
+
+    FrameParts frame_parts(const ViewTransform& view, const PictureEmphasis& emphasis,
+                           const PictureSurround& surround) const {
+        return {.picture = picture.result(),
+                .lit = lit.result(),
+                .fades = emphasis.lit != nullptr,
+                .before = before.result(),
+                .difference = emphasis.comparison == PictureComparison::difference,
+                .mask = mask.result(),
+                .canvas = canvas_pixels(shown ? shown->looks.picture.get() : nullptr, view),
+                .ground = surround.ground,
+                .accent = surround.accent,
+                .outside_fade = static_cast<float>(surround.outside_fade)};
+    }
+};
+
+PictureRenderer::PictureRenderer() : parts_(std::make_unique<Parts>()) {}
+PictureRenderer::~PictureRenderer() = default;
+bool PictureRenderer::refining() const { return parts_->refining; }
+const std::string& PictureRenderer::shortcoming() const { return parts_->shortcoming; }
 
 unsigned PictureRenderer::draw(const std::shared_ptr<const DerivedPicture>& picture, const ViewTransform& view,
-                               const PictureEmphasis&) {
-    const int width = std::max(1, static_cast<int>(view.size.x));
-    const int height = std::max(1, static_cast<int>(view.size.y));
-    glBindTexture(GL_TEXTURE_2D, parts_->texture);
-    if (width != parts_->width || height != parts_->height) {
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        parts_->width = width;
-        parts_->height = height;
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, parts_->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, parts_->texture, 0);
-    glViewport(0, 0, width, height);
-    glClearColor(1, 1, 1, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    if (picture) {
-        glEnable(GL_SCISSOR_TEST);
-        for (const PictureItem& item : picture->items) {
-            const Point at = to_canvas(view, item.pose.translation);
-            glScissor(static_cast<int>(at.x) - 2, height - static_cast<int>(at.y) - 2, 4, 4);
-            glClearColor(0, 0, 0, 1);
-            glClear(GL_COLOR_BUFFER_BIT);
-        }
-        glDisable(GL_SCISSOR_TEST);
-    }
+                               const PictureEmphasis& emphasis, const PictureDrawOptions& options) {
+    Parts& parts = *parts_;
+    const FrameKey wanted{picture, view, emphasis, options.surround};
+    if (parts.drawn && !parts.refining && same_frame(*parts.drawn, wanted)) return parts.frame.texture();
+    parts.drawn = wanted;
+    parts.shown = parts.prepared(picture, parts.shown);
+    parts.compared = parts.prepared(emphasis.before, parts.compared);
+    parts.refine(view, emphasis, options.finish);
+    parts.frame.resize(std::max(1, static_cast<int>(view.size.x)), std::max(1, static_cast<int>(view.size.y)));
+    parts.screen.compose(parts.frame, parts.frame_parts(view, emphasis, options.surround));
+    parts.drawer.forget_unused_meshes();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return parts_->texture;
+    return parts.frame.texture();
 }
 
 }  // namespace rinceau

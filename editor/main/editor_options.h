@@ -6,11 +6,13 @@
 namespace rinceau {
 
 struct EditorOptions {
-    std::string file;        ///< to open; empty = none
-    std::string screenshot;  ///< draw one frame into this PNG and leave
-    int width = 1280;        ///< of the window, in screen coordinates
+    std::string file;  ///< to open; empty = none
+    std::string
+        screenshot;    ///< draw the window into this PNG when all work is done, and leave; empty = a window for a person
+    int width = 1280;  ///< of the window; of a screenshot, in pixels
     int height = 800;
-    std::string places;  ///< write the places of all widgets here after each frame (tests)
+    float scale = 0;     ///< of fonts and widgets; 0 = the display's
+    std::string places;  ///< write what the window shows (model/places_json.h) here after each frame; empty = nowhere
 };
 
 }  // namespace rinceau

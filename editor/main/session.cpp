@@ -7,77 +7,73 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "editor/effects/effects.h"
 #include "editor/gl/picture_renderer.h"
+#include "editor/main/offscreen_frame.h"
+#include "editor/main/window.h"
 #include "editor/model/update.h"
 #include "editor/panels/panel.h"
+#include "files/files.h"
+#include "files/output_error.h"
+#include "scene/input_error.h"
+#include "scene/svg_raster.h"
 
 namespace rinceau {
 namespace {
 
-/// A window with its context and Dear ImGui in it.
-class Window {
-  public:
-    explicit Window(const EditorOptions& options) {
-        if (glfwInit() != GLFW_TRUE) return;
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        window_ = glfwCreateWindow(options.width, options.height, "Rinceau", nullptr, nullptr);
-        if (window_ == nullptr) return;
-        glfwMakeContextCurrent(window_);
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;
-        ImGui_ImplGlfw_InitForOpenGL(window_, true);
-        ImGui_ImplOpenGL3_Init("#version 330 core");
-    }
-    Window(const Window&) = delete;
-    Window& operator=(const Window&) = delete;
-    ~Window() {
-        if (window_ != nullptr) {
-            ImGui_ImplOpenGL3_Shutdown();
-            ImGui_ImplGlfw_Shutdown();
-            ImGui::DestroyContext();
-            glfwDestroyWindow(window_);
-        }
-        glfwTerminate();
-    }
-    GLFWwindow* handle() const { return window_; }
-
-  private:
-    GLFWwindow* window_ = nullptr;
-};
+namespace status {
+constexpr int done = 0;
+constexpr int input_at_fault = 1;
+constexpr int output_not_written = 4;
+}  // namespace status
 
 class Session {
   public:
-    Session(GLFWwindow* window, const EditorOptions& options)
-        : window_(window), state_(initial_state()), answers_(glfwPostEmptyEvent), effects_(answers_) {
+    Session(Window& window, const EditorOptions& options)
+        : window_(window), options_(options), state_(initial_state()), answers_(glfwPostEmptyEvent), effects_(answers_) {
+        if (!options.screenshot.empty()) offscreen_.emplace(options.width, options.height);
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
     void run() {
         while (!effects_.wants_to_close()) {
             wait();
-            if (glfwWindowShouldClose(window_) != 0) {
-                glfwSetWindowShouldClose(window_, GLFW_FALSE);
+            if (glfwWindowShouldClose(window_.handle()) != 0) {
+                glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
                 act(FileAction{QuitEditor{}});
             }
             frame();
         }
     }
+    /// The window when nothing changes any more. Throws InputError if the file could not be opened.
+    Picture settled_frame() {
+        while (pending_frames_ > 0 || is_busy(state_) || renderer_.refining()) {
+            wait();
+            frame();
+        }
+        for (const EditorMessage& message : state_.messages)
+            if (message.kind == MessageKind::mistake) throw InputError({}, message.text);
+        return offscreen_->read();
+    }
 
   private:
     static constexpr double longest_wait = 0.5;  // seconds: a text cursor blinks
+    static constexpr int frames_of_input = 2;    // ImGui shows the effect of an input one frame later
 
     void wait() {
         if (pending_frames_ > 0 || renderer_.refining()) {
-            --pending_frames_;
+            pending_frames_ = std::max(0, pending_frames_ - 1);
             glfwPollEvents();
         } else {
             glfwWaitEventsTimeout(longest_wait);
-            pending_frames_ = 2;  // ImGui shows the effect of an input one frame later
+            pending_frames_ = frames_of_input;
         }
     }
     void act(const Action& action) {
@@ -87,44 +83,110 @@ class Session {
         for (const Action& answer : answers_.drain()) act(answer);
     }
     void frame() {
-        for (const Action& answer : answers_.drain()) act(answer);
+        for (const Action& answer : answers_.drain()) {
+            act(answer);
+            pending_frames_ = frames_of_input;
+        }
+        begin_frame();
+        PanelTools tools;
+        const DisplayScale display = offscreen_ ? DisplayScale{} : window_.display_scale();
+        tools.scale = options_.scale > 0 ? options_.scale : display.widgets;
+        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view);
+        std::vector<WidgetPlace> places;
+        if (!options_.places.empty()) tools.places = &places;
+        const Actions actions = editor_window(state_, tools);
+        end_frame();
+        for (const Action& action : actions) act(action);
+        if (!actions.empty()) pending_frames_ = frames_of_input;
+        if (!options_.places.empty()) write_trace(std::move(places), tools.scale);
+    }
+    void begin_frame() {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        if (offscreen_) {
+            ImGui::GetIO().DisplaySize = {static_cast<float>(options_.width), static_cast<float>(options_.height)};
+            ImGui::GetIO().DisplayFramebufferScale = {1, 1};
+        }
         ImGui::NewFrame();
-        PanelTools tools;
-        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view);
-        const Actions actions = editor_window(state_, tools);
+    }
+    void end_frame() {
         ImGui::Render();
-        int width = 0;
-        int height = 0;
-        glfwGetFramebufferSize(window_, &width, &height);
+        const auto [width, height] = framebuffer_size();
+        if (offscreen_) {
+            offscreen_->bind();
+        } else {
+            glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        }
         glViewport(0, 0, width, height);
         glClearColor(0, 0, 0, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-        glfwSwapBuffers(window_);
-        for (const Action& action : actions) act(action);
-        if (!actions.empty()) pending_frames_ = 2;
+        if (!offscreen_) glfwSwapBuffers(window_.handle());
+    }
+    std::pair<int, int> framebuffer_size() const {
+        if (offscreen_) return {options_.width, options_.height};
+        std::pair<int, int> size;
+        glfwGetFramebufferSize(window_.handle(), &size.first, &size.second);
+        return size;
+    }
+    void write_trace(std::vector<WidgetPlace> places, float scale) {
+        const auto [width, height] = framebuffer_size();
+        const std::string text = to_json({.title = "Rinceau",
+                                          .frame = ++frame_,
+                                          .busy = is_busy(state_) || pending_frames_ > 0,
+                                          .refining = renderer_.refining(),
+                                          .width = width,
+                                          .height = height,
+                                          .scale = scale,
+                                          .widgets = std::move(places)});
+        // Not by write_output(): that waits for the disk, which a frame must not.
+        const std::string beside = options_.places + ".new";
+        std::ofstream(beside, std::ios::binary) << text;
+        std::error_code ignored;
+        std::filesystem::rename(beside, options_.places, ignored);
     }
 
-    GLFWwindow* window_;
+    Window& window_;
+    EditorOptions options_;
     EditorState state_;
     ActionQueue answers_;
     Effects effects_;
     PictureRenderer renderer_;
-    int pending_frames_ = 2;
+    std::optional<OffscreenFrame> offscreen_;
+    int pending_frames_ = frames_of_input;
+    std::uint64_t frame_ = 0;
 };
+
+int take_screenshot(Window& window, const EditorOptions& options) {
+    try {
+        expect_writable(options.screenshot);
+        const Picture frame = Session(window, options).settled_frame();
+        write_output(options.screenshot, picture_to_png(frame));
+        return status::done;
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return status::input_at_fault;
+    } catch (const OutputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return status::output_not_written;
+    }
+}
 
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
-    const Window window(options);
-    if (window.handle() == nullptr) {
-        std::fputs("rinceau edit: no window could be opened: a display and OpenGL 3.3 are needed\n", stderr);
-        return 1;
+    try {
+        Window window(options.width, options.height, options.screenshot.empty());
+        if (!options.screenshot.empty()) return take_screenshot(window, options);
+        Session(window, options).run();
+        return status::done;
+    } catch (const std::runtime_error& error) {
+        std::fprintf(stderr,
+                     "rinceau edit: no window could be opened (%s). A display with OpenGL 3.3 is needed: start it from a "
+                     "desktop, or under a virtual display as 'xvfb-run rinceau edit'.\n",
+                     error.what());
+        return status::input_at_fault;
     }
-    Session(window.handle(), options).run();
-    return 0;
 }
 
 }  // namespace rinceau

@@ -4,6 +4,10 @@
 
 namespace rinceau {
 
+bool is_enabled(const Command& command, const EditorState& state) {
+    return command.enabled == nullptr || command.enabled(state);
+}
+
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (const auto area :

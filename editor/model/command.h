@@ -11,13 +11,18 @@ namespace rinceau {
 
 struct Command {
     std::string name;                                     ///< "file.save"
-    std::string menu;                                     ///< "File"
+    std::string menu;                                     ///< "File"; "File/Export" = a menu within that one
     std::string label;                                    ///< "Save"
     std::string shortcut;                                 ///< "Ctrl+S", "Ctrl+Shift+S", "Delete", "+"; empty = none
     std::string help;                                     ///< a sentence for the tooltip and the help window
     bool (*enabled)(const EditorState& state) = nullptr;  ///< null = always
     Action (*action)(const EditorState& state) = nullptr;
+    bool (*checked)(const EditorState& state) = nullptr;  ///< of a command that switches something: is it on?
+    bool toolbar = false;                                 ///< it is a button of the toolbar, too
 };
+
+/// Can it be given now?
+bool is_enabled(const Command& command, const EditorState& state);
 
 // Of one area each, in the order of the menu.
 std::vector<Command> file_commands();

@@ -9,15 +9,6 @@
 namespace rinceau {
 namespace {
 
-bool same_options(const AnalyzeOptions& a, const AnalyzeOptions& b) {
-    const auto values = [](const AnalyzeOptions& o) {
-        return std::tuple(o.similarity.tolerance, o.similarity.tolerance_of_diagonal, o.similarity.mirrored_copies,
-                          o.tolerance, o.weights.count, o.weights.nearness, o.weights.similarity, o.weights.length,
-                          o.objective, o.symmetrize, o.stochastic);
-    };
-    return values(a) == values(b);
-}
-
 bool same_derivation(const DeriveOptions& a, const DeriveOptions& b) { return a.depth == b.depth && a.seed == b.seed; }
 
 }  // namespace
@@ -46,10 +37,22 @@ Document with_grammar(const Document& document, Grammar grammar) {
     return changed;
 }
 
+bool rules_were_edited(const Document& document) { return document.found && document.grammar != document.found; }
+
+bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b) {
+    const auto values = [](const AnalyzeOptions& o) {
+        return std::tuple(o.similarity.tolerance, o.similarity.tolerance_of_diagonal, o.similarity.mirrored_copies,
+                          o.tolerance, o.weights.count, o.weights.nearness, o.weights.similarity, o.weights.length,
+                          o.objective, o.symmetrize, o.stochastic);
+    };
+    return values(a) == values(b);
+}
+
 bool same_document(const Document& a, const Document& b) {
     const bool same_grammar = a.grammar == b.grammar || to_text(*a.grammar) == to_text(*b.grammar);
     return same_grammar && a.drawing == b.drawing && a.used == b.used && a.report == b.report &&
-           same_options(a.analysis, b.analysis) && same_derivation(a.derive, b.derive) && a.locked == b.locked;
+           same_analysis(a.analysis, b.analysis) && same_derivation(a.derive, b.derive) && a.locked == b.locked &&
+           a.origin == b.origin;
 }
 
 }  // namespace rinceau

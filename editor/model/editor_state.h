@@ -56,6 +56,9 @@ const Document& shown_document(const EditorState& state);
 /// Is the preview that is shown of a tool?
 bool shows_tool_preview(const EditorState& state);
 
+/// Is something being read, derived or analysed, so that more will change by itself?
+bool is_busy(const EditorState& state);
+
 bool has_unsaved_changes(const EditorState& state);
 
 }  // namespace rinceau

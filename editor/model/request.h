@@ -8,6 +8,7 @@
 
 #include "analyzer/analyze.h"
 #include "editor/model/document.h"
+#include "editor/model/find_selection.h"
 #include "editor/model/tool_edit.h"
 
 namespace rinceau {
@@ -32,12 +33,17 @@ struct DerivePicture {
     std::uint64_t revision = 0;
     Document document;
 };
+/// Answered by SelectionFound; a later one takes its place.
+struct FindSelection {
+    SelectionSearch search;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
     std::shared_ptr<const Scene> drawing;
     AnalyzeOptions options;
 };
+/// Not answered.
 struct StopAnalysis {};
 /// Answered by ToolDone or ToolFailed.
 struct RunTool {
@@ -55,7 +61,8 @@ struct ReadReplacement {
 struct CloseWindow {};
 
 using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, RunAnalysis, StopAnalysis, RunTool, ReadReplacement, CloseWindow>;
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis, RunTool,
+                 ReadReplacement, CloseWindow>;
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lsystem/check_edit.h"
+#include "lsystem/keep_locked.h"
 
 namespace rinceau {
 namespace {
@@ -37,6 +38,7 @@ ToolResult use_tool(const Document& document, const ToolEdit& edit) {
     CheckEditOptions options;
     options.derive = document.derive;
     options.for_drawing = [&](const Grammar& grammar) { return *with_grammar(document, grammar).resolved; };
+    result = keep_locked(*document.grammar, std::move(result), document.locked);
     result = checked_edit(*document.grammar, std::move(result), options);
     const Document after = with_grammar(document, std::move(result.grammar));
     return {after.grammar, after.resolved, std::move(result.changes)};

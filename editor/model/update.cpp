@@ -4,6 +4,7 @@
 
 #include "editor/model/update_parts.h"
 #include "lsystem/check_edit.h"
+#include "lsystem/keep_locked.h"
 
 namespace rinceau {
 namespace {
@@ -13,7 +14,8 @@ EditResult checked(const Update& update, const std::function<EditResult(const Gr
     CheckEditOptions options;
     options.derive = document.derive;
     options.for_drawing = [&](const Grammar& grammar) { return *with_grammar(document, grammar).resolved; };
-    return checked_edit(*document.grammar, edit(*document.grammar), options);
+    EditResult result = keep_locked(*document.grammar, edit(*document.grammar), document.locked);
+    return checked_edit(*document.grammar, std::move(result), options);
 }
 
 }  // namespace
@@ -54,7 +56,9 @@ void edit_grammar(Update& update, const std::string& label, const std::function<
 void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit) {
     EditorState& state = update.state;
     try {
-        state.preview = with_grammar(state.document, edit(*state.document.grammar).grammar);
+        const Document& document = state.document;
+        EditResult result = keep_locked(*document.grammar, edit(*document.grammar), document.locked);
+        state.preview = with_grammar(document, std::move(result.grammar));
         state.preview_label = label;
         show_anew(update);
     } catch (const InputError&) {  // the mouse may come back to where the edit makes sense
@@ -62,28 +66,25 @@ void preview_grammar(Update& update, const std::string& label, const std::functi
     }
 }
 
-void drop_preview(Update& update) {
-    EditorState& state = update.state;
-    if (shows_tool_preview(state)) state.tools.settings.noise = {};  // what is not wanted is not set, either
-    state.tools.dropped = true;
-    state.tools.waiting.reset();
-    if (!state.preview) return;
-    state.preview.reset();
-    show_anew(update);
-}
-
 void replace_document(Update& update, Document document) {
     EditorState& state = update.state;
     state.document = std::move(document);
+    if (!state.document.origin) state.document.origin = state.document.grammar;
+    if (state.document.drawing && !state.document.found) state.document.found = state.document.grammar;
     state.history = {};
     state.preview.reset();
+    forget_analysis(update);
     state.canvas.fit_pending = true;
+    state.canvas.drag.reset();
+    perform(update, CanvasAction{ClearSelection{}});
     show_anew(update);
 }
 
 Update update(EditorState state, const Action& action) {
     Update result{std::move(state), {}};
     std::visit([&](const auto& of_area) { perform(result, of_area); }, action);
+    settle_analysis(result);
+    refresh_rule_sheets(result.state);
     return result;
 }
 

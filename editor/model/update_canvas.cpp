@@ -1,6 +1,6 @@
 // Looking: pan, zoom, the picture that was asked for.
 
-#include "editor/model/update_parts.h"
+#include "editor/model/update_canvas.h"
 
 namespace rinceau {
 namespace {
@@ -38,6 +38,7 @@ void perform_one(Update& update, const PictureDerived& action) {
     state.picture_revision = action.revision;
     state.picture_mistake.clear();
     fit_if_pending(state);
+    follow_selection(update);
 }
 
 void perform_one(Update& update, const PictureFailed& action) {
@@ -45,10 +46,23 @@ void perform_one(Update& update, const PictureFailed& action) {
     update.state.picture_mistake = action.message;
 }
 
+template <class Known>
+concept IsHere = requires(Update& update, const Known& known) { perform_one(update, known); };
+
 }  // namespace
 
 void perform(Update& update, const CanvasAction& action) {
-    std::visit([&](const auto& one) { perform_one(update, one); }, action);
+    std::visit(
+        [&]<class Known>(const Known& known) {
+            if constexpr (IsHere<Known>) {
+                perform_one(update, known);
+            } else if constexpr (requires { select_on_canvas(update, known); }) {
+                select_on_canvas(update, known);
+            } else {
+                drag_on_canvas(update, known);
+            }
+        },
+        action);
 }
 
 }  // namespace rinceau

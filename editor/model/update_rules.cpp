@@ -1,31 +1,27 @@
-// Rules: numbers, and undo.
+// Rules: previews that become edits, and undo.
 
-#include "editor/model/update_parts.h"
-#include "lsystem/set_numbers.h"
+#include "editor/model/update_rules.h"
 
 namespace rinceau {
-namespace {
 
-void perform_one(Update& update, const SetNumber& action) {
-    const auto edit = [&](const Grammar& grammar) {
-        const NumberEdit number{.name = action.name, .value = number_expression(action.value)};
-        return set_numbers(grammar, {&number, 1});
-    };
-    const std::string label = "set " + action.name;
-    if (action.preview) {
-        preview_grammar(update, label, edit);
-    } else {
-        edit_grammar(update, label, edit);
-    }
+void drop_preview(Update& update) {
+    if (!update.state.preview) return;
+    update.state.preview.reset();
+    show_anew(update);
 }
 
+namespace {
+
 void perform_one(Update& update, const CommitPreview&) {
-    if (!update.state.preview) return;
+    if (commit_drag(update) || !update.state.preview) return;
     Document after = std::move(*update.state.preview);
     record_edit(update, std::move(after), update.state.preview_label);
 }
 
 void perform_one(Update& update, const DropPreview&) {
+    drop_tried_analysis(update);
+    drop_tool(update.state);
+    if (update.state.rules.dragged) update.state.rules.dragged->dropped = true;
     drop_preview(update);
 }
 
@@ -35,6 +31,8 @@ void move_in_history(Update& update, HistoryMove move, const char* what) {
     update.state.document = std::move(move.document);
     update.state.history = std::move(move.history);
     update.state.preview.reset();
+    update.state.rules.dragged.reset();
+    update.state.rules.typed.reset();
     show_anew(update);
 }
 

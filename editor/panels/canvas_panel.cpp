@@ -1,32 +1,76 @@
-// The canvas: the picture, moved and zoomed.
-
-#include <imgui.h>
+// The canvas: the picture, moved and zoomed, with what is selected.
 
 #include <cmath>
 #include <cstdint>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/canvas_parts.h"
 
 namespace rinceau {
+namespace {
+
+constexpr double zoom_a_notch = 1.15;
+constexpr float pan_a_notch = 40;    ///< pixels of a sideways wheel, at scale 1
+constexpr float click_reach = 3;     ///< pixels beside an element that still hit it, at scale 1
+constexpr float still_a_click = 4;   ///< pixels that the mouse may move in a click, at scale 1
+
+void zoom_and_pan(Actions& actions, const CanvasPlace& place, const PanelTools& tools) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Point mouse{io.MousePos.x - place.corner.x, io.MousePos.y - place.corner.y};
+    if (io.MouseWheel != 0) actions.push_back(CanvasAction{ZoomView{mouse, std::pow(zoom_a_notch, io.MouseWheel)}});
+    if (io.MouseWheelH != 0) actions.push_back(CanvasAction{PanView{{io.MouseWheelH * pan_a_notch * tools.scale, 0}}});
+}
+
+void pan_by_drag(Actions& actions, const EditorState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool left = !state.canvas.drag && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    const bool pans = left || ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
+                      ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0);
+    if (pans && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
+        actions.push_back(CanvasAction{PanView{{io.MouseDelta.x, io.MouseDelta.y}}});
+}
+
+void drag_handle(Actions& actions, const EditorState& state, const CanvasPlace& place) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Point to = from_window(place, io.MousePos);
+    if (to != state.canvas.drag->to) actions.push_back(CanvasAction{DragHandle{to, io.KeyCtrl}});
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) actions.push_back(CanvasAction{ReleaseHandle{}});
+}
+
+void click(Actions& actions, const PanelTools& tools, const CanvasPlace& place) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const float still = still_a_click * tools.scale;
+    if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || io.MouseDragMaxDistanceSqr[0] > still * still) return;
+    const Point at = from_window(place, io.MousePos);
+    actions.push_back(CanvasAction{ClickCanvas{at, click_reach * tools.scale / place.view.zoom, io.KeyAlt}});
+}
+
+}  // namespace
 
 Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
-    Actions actions;
+    Actions actions = canvas_path_bar(state, tools);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const Point size{std::floor(room.x), std::floor(room.y)};
     if (size.x < 1 || size.y < 1) return actions;
     if (size != state.canvas.view.size) actions.push_back(CanvasAction{ResizeCanvas{size}});
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const CanvasPlace place{ImGui::GetCursorScreenPos(), state.canvas.view};
     ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(tools.canvas_texture)), room, {0, 1}, {1, 0});
     note_place(tools, "canvas");
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!ImGui::IsItemHovered()) return actions;
-    constexpr double zoom_a_notch = 1.15;
-    const Point mouse{io.MousePos.x - corner.x, io.MousePos.y - corner.y};
-    if (io.MouseWheel != 0) actions.push_back(CanvasAction{ZoomView{mouse, std::pow(zoom_a_notch, io.MouseWheel)}});
-    const bool pans =
-        ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) || ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0);
-    if (pans && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
-        actions.push_back(CanvasAction{PanView{{io.MouseDelta.x, io.MouseDelta.y}}});
+    const bool hovered = ImGui::IsItemHovered();
+    draw_canvas_overlay(state, tools, place);
+    if (state.canvas.drag) {
+        drag_handle(actions, state, place);
+        return actions;
+    }
+    if (!hovered) return actions;
+    zoom_and_pan(actions, place, tools);
+    pan_by_drag(actions, state);
+    const int handle = handle_at(state, tools, place, ImGui::GetIO().MousePos);
+    if (handle >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        const Point at = from_window(place, ImGui::GetIO().MousePos);
+        actions.push_back(CanvasAction{GrabHandle{static_cast<std::size_t>(handle), at}});
+        return actions;
+    }
+    click(actions, tools, place);
     return actions;
 }
 

@@ -27,9 +27,10 @@ Actions editor_window(const EditorState& state, const PanelTools& tools) {
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport->WorkPos);
     ImGui::SetNextWindowSize(viewport->WorkSize);
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
     ImGui::Begin("Rinceau", nullptr, flags);
+    add(actions, menu_bar(state, tools));
     const float side = side_width * tools.scale;
     const float height = -log_height * tools.scale;
     ImGui::BeginGroup();

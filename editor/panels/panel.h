@@ -6,15 +6,9 @@
 
 #include "editor/model/action.h"
 #include "editor/model/editor_state.h"
+#include "editor/model/places_json.h"
 
 namespace rinceau {
-
-/// Where a widget stands on the screen, in framebuffer pixels from the window's upper left corner: for tests and for
-/// pictures in the documentation.
-struct WidgetPlace {
-    std::string name;  ///< "rules/Row.count", "toolbar/Save"
-    float left = 0, top = 0, right = 0, bottom = 0;
-};
 
 struct PanelTools {
     float scale = 1;                             ///< of the display
@@ -33,6 +27,9 @@ Actions tools_panel(const EditorState& state, const PanelTools& tools);
 Actions analysis_panel(const EditorState& state, const PanelTools& tools);
 Actions log_panel(const EditorState& state, const PanelTools& tools);
 Actions file_dialogs(const EditorState& state, const PanelTools& tools);
+
+/// The menus of all commands, in the menu bar of the current window.
+Actions menu_bar(const EditorState& state, const PanelTools& tools);
 
 /// The whole window: menu, panels, canvas, status line.
 Actions editor_window(const EditorState& state, const PanelTools& tools);
