@@ -93,12 +93,8 @@ void preview_grammar(Update& update, const std::string& label, const std::functi
 }
 
 void drop_preview(Update& update) {
-    EditorState& state = update.state;
-    if (shows_tool_preview(state)) state.tools.settings.noise = {};  // what is not wanted is not set, either
-    state.tools.dropped = true;
-    state.tools.waiting.reset();
-    if (!state.preview) return;
-    state.preview.reset();
+    if (!update.state.preview) return;
+    update.state.preview.reset();
     show_anew(update);
 }
 
