@@ -12,8 +12,7 @@ namespace rinceau::test {
 struct HiddenWindow::Handle {
     GLFWwindow* window = nullptr;
     ~Handle() {
-        if (window != nullptr) glfwDestroyWindow(window);
-        glfwTerminate();
+        if (window != nullptr) glfwDestroyWindow(window);  // the connection to the display stays, for the next one
     }
 };
 

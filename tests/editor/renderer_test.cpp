@@ -214,7 +214,7 @@ TEST_CASE("pictures that make no sense are drawn as far as they do") {
     const double endless = std::numeric_limits<double>::infinity();
     const double no_number = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {endless, no_number, 1e300, 1e-300}) {
-        PictureItem item = picture->items.front();
+        PictureItem item = picture->items[1];
         item.pose.translation.x = bad;
         picture->items.push_back(item);
         item.pose = {{bad, 0}, {}, false};
@@ -234,7 +234,9 @@ TEST_CASE("thumbnails show one look each and are kept") {
     ThumbnailRenderer thumbnails;
     const auto picture = drawn(two_squares);
     constexpr int size = 24;
+    thumbnails.begin_frame();
     const auto first = thumbnails.thumbnail(picture, 0, size);
+    thumbnails.begin_frame();
     const auto second = thumbnails.thumbnail(picture, 1, size);
     REQUIRE(first);
     REQUIRE(second);
