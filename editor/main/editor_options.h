@@ -12,6 +12,7 @@ struct EditorOptions {
     int width = 1280;  ///< of the window; of a screenshot, in pixels
     int height = 800;
     float scale = 0;     ///< of fonts and widgets; 0 = the display's
+    bool light = false;  ///< dark letters on a light ground, whatever the preferences say
     std::string places;  ///< write what the window shows (model/places_json.h) here after each frame; empty = nowhere
 };
 

@@ -46,6 +46,7 @@ class Session {
           answers_(glfwPostEmptyEvent),
           effects_(answers_) {
         listen();
+        if (options.light) act(ShellAction{SetDarkTheme{false}});
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
     void run() {
