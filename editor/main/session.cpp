@@ -134,12 +134,7 @@ class Session {
         if (!options_.places.empty()) write_trace(std::move(places));
     }
     void show_title() {
-        if (titled_grammar_ != state_.document.grammar || titled_file_.saved_grammar != state_.file.saved_grammar ||
-            titled_file_.path != state_.file.path) {
-            titled_grammar_ = state_.document.grammar;
-            titled_file_ = state_.file;
-            title_ = window_title(state_);
-        }
+        title_ = window_title(state_);
         window_.set_title(title_);
     }
     void write_trace(std::vector<WidgetPlace> places) {
@@ -170,8 +165,6 @@ class Session {
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
     std::string title_;
-    std::shared_ptr<const Grammar> titled_grammar_;  ///< that the title was made for: comparing grammars takes long
-    FileState titled_file_;
 };
 
 int take_screenshot(Window& window, const EditorOptions& options) {
