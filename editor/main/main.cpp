@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(least_scale, greatest_scale).description(""))
         ->type_name("S");
     program.add_flag("--light", options.light)->group("");
+    program.add_option("--autosave-seconds", options.autosave_seconds)->group("");
     program.add_option("--places", options.places)->group("");
     program.failure_message([](const CLI::App*, const CLI::Error& error) {
         return "rinceau edit: " + std::string(error.what()) + "\nSee 'rinceau edit --help'\n";

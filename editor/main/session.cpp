@@ -13,6 +13,8 @@
 #include <utility>
 
 #include "editor/effects/effects.h"
+#include "editor/effects/kept_preferences.h"
+#include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
 #include "editor/main/keyboard.h"
 #include "editor/main/screen.h"
@@ -21,6 +23,7 @@
 #include "editor/model/update.h"
 #include "editor/panels/frame_timing.h"
 #include "editor/panels/panel.h"
+#include "editor/panels/theme.h"
 #include "files/files.h"
 #include "files/output_error.h"
 #include "scene/input_error.h"
@@ -35,6 +38,20 @@ constexpr int input_at_fault = 1;
 constexpr int output_not_written = 4;
 }  // namespace status
 
+PictureEmphasis emphasis(const CanvasState& canvas) {
+    PictureEmphasis emphasis{.lit = canvas.lit, .outlined = canvas.outlined, .before = canvas.before};
+    if (canvas.onion == OnionMode::before_and_after) emphasis.comparison = PictureComparison::onion;
+    if (canvas.onion == OnionMode::difference) emphasis.comparison = PictureComparison::difference;
+    return emphasis;
+}
+
+Color colour_of(const ImVec4& colour) {
+    const auto byte = [](float part) { return static_cast<std::uint8_t>(std::lround(255 * part)); };
+    return {byte(colour.x), byte(colour.y), byte(colour.z)};
+}
+
+PictureSurround surround(bool dark) { return {.ground = colour_of(canvas_ground(dark))}; }
+
 class Session {
   public:
     Session(Window& window, const EditorOptions& options)
@@ -44,8 +61,9 @@ class Session {
           keyboard_(window.handle()),
           state_(initial_state()),
           answers_(glfwPostEmptyEvent),
-          effects_(answers_) {
+          effects_(answers_, folders_of(options)) {
         listen();
+        if (options.screenshot.empty()) begin_keeping();
         if (options.light) act(ShellAction{SetDarkTheme{false}});
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
@@ -72,7 +90,25 @@ class Session {
 
   private:
     static constexpr int frames_of_input = 2;  // ImGui shows the effect of an input one frame later
+    static constexpr double seconds_a_tick = 1;
 
+    /// A screenshot shows the file alone, whatever was done before.
+    static KeptFolders folders_of(const EditorOptions& options) {
+        return options.screenshot.empty() ? KeptFolders{state_folder(), config_folder()} : KeptFolders{};
+    }
+    void begin_keeping() {
+        const PreferencesInFile read = read_preferences(config_folder());
+        act(RecoveryAction{PreferencesRead{read.preferences, read.mistake}});
+        if (options_.autosave_seconds > 0) state_.recovery.interval = options_.autosave_seconds;
+        act(RecoveryAction{LookForRecoverables{}});
+    }
+    /// Once a second: what is kept against a crash. True if something was asked for.
+    bool tick() {
+        const double now = glfwGetTime();
+        if (!options_.screenshot.empty() || now < last_tick_ + seconds_a_tick) return false;
+        last_tick_ = now;
+        return act(RecoveryAction{Tick{now}});
+    }
     void listen() {
         window_.set_events({
             .key = [this](int key, int scancode, int action, int mods) { keyboard_.on_key(key, scancode, action, mods); },
@@ -89,19 +125,29 @@ class Session {
             glfwPollEvents();
             return;
         }
-        const double seconds = seconds_to_next_frame();
-        if (std::isfinite(seconds)) {
-            glfwWaitEventsTimeout(seconds);
-        } else {
-            glfwWaitEvents();
+        const double frame_due = glfwGetTime() + seconds_to_next_frame();
+        for (bool due = false; !due;) {
+            const double seconds = std::min(frame_due - glfwGetTime(), seconds_a_tick);
+            if (seconds > 0) glfwWaitEventsTimeout(seconds);
+            const bool ticked = tick();
+            const bool answered = take_answers();
+            due = window_.had_input() || ticked || answered || glfwGetTime() >= frame_due;
         }
         pending_frames_ = frames_of_input;
     }
-    void act(const Action& action) {
+    bool take_answers() {
+        const Actions answers = answers_.drain();
+        for (const Action& answer : answers) act(answer);
+        if (!answers.empty()) pending_frames_ = frames_of_input;
+        return !answers.empty();
+    }
+    /// True if the action asked for something.
+    bool act(const Action& action) {
         Update next = update(std::move(state_), action);
         state_ = std::move(next.state);
         for (const Request& request : next.requests) effects_.fulfil(request);
-        for (const Action& answer : answers_.drain()) act(answer);
+        take_answers();
+        return !next.requests.empty();
     }
     /// A key gives its command, unless it is for the text that is being typed or for an open menu.
     bool take(const KeyPress& press) {
@@ -114,17 +160,16 @@ class Session {
         return press.chord.key != "Escape";  // which Dear ImGui wants to know of, too
     }
     void frame() {
-        for (const Action& answer : answers_.drain()) {
-            act(answer);
-            pending_frames_ = frames_of_input;
-        }
+        tick();
+        take_answers();
         keyboard_.feed([this](const KeyPress& press) { return take(press); });
         show_title();
         screen_.begin(state_.shell);
         PanelTools tools;
         tools.scale = screen_.scale();
         tools.fonts = screen_.fonts();
-        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view);
+        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis(state_.canvas),
+                                              {.surround = surround(state_.shell.dark)});
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
         const Actions actions = editor_window(state_, tools);
@@ -165,6 +210,7 @@ class Session {
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
     std::string title_;
+    double last_tick_ = 0;
 };
 
 int take_screenshot(Window& window, const EditorOptions& options) {
