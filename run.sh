@@ -4,23 +4,26 @@ set -euo pipefail
 
 usage() {
     cat <<'TEXT'
-Usage: ./run.sh [-o FOLDER] [ART.svg]
+Usage: ./run.sh [-o FOLDER] [--no-editor] [ART.svg]
 
 Installs what is missing, builds, finds the rules behind ART.svg (default: a sample), prints them, and writes
   FOLDER/NAME.lsys  the grammar
   FOLDER/NAME.svg   the picture that the grammar draws
   FOLDER/NAME.png   the same as pixels
-FOLDER is by default the folder out/ of the project.
+FOLDER is by default the folder out/ of the project. With a display it then opens the editor on ART.svg;
+  --no-editor   does not
 TEXT
 }
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 folder=$root/out
 art=$root/samples/facade.svg
+editor=yes
 while [ $# -gt 0 ]; do
     case $1 in
         -h | --help) usage; exit 0 ;;
         -o) [ $# -ge 2 ] || { usage >&2; exit 2; }; folder=$2; shift 2 ;;
+        --no-editor) editor=no; shift ;;
         --) shift; [ $# -gt 0 ] && art=$1; break ;;
         -*) usage >&2; exit 2 ;;
         *) art=$1; shift ;;
@@ -50,3 +53,8 @@ case $art in -*) art=./$art ;; esac
 "$rinceau" render -o "$folder/$name.svg" "$folder/$name.lsys"
 "$rinceau" render -o "$folder/$name.png" --width 900 "$folder/$name.lsys"
 printf '\nThe grammar:  %s\nIts picture:  %s\n              %s\n' "$folder/$name.lsys" "$folder/$name.svg" "$folder/$name.png"
+
+[ "$editor" = yes ] && [ -n "${DISPLAY-}${WAYLAND_DISPLAY-}" ] || exit 0
+say 'Opening the editor (./run.sh --no-editor does not)'
+# What was asked for is done: a display that does not work is told, and is no failure.
+"$rinceau" edit "$art" || true

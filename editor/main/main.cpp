@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     program.add_option("--scale", options.scale, "Size of text and buttons; without it, as the display is set")
         ->check(CLI::Range(least_scale, greatest_scale).description(""))
         ->type_name("S");
+    program.add_flag("--light", options.light)->group("");
     program.add_option("--autosave-seconds", options.autosave_seconds)->group("");
     program.add_option("--places", options.places)->group("");
     CLI::Option* picture = program.add_option("--picture", options.picture)->group("");

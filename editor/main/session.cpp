@@ -23,6 +23,7 @@
 #include "editor/model/update.h"
 #include "editor/panels/frame_timing.h"
 #include "editor/panels/panel.h"
+#include "editor/panels/theme.h"
 #include "files/files.h"
 #include "files/output_error.h"
 #include "scene/input_error.h"
@@ -37,6 +38,20 @@ constexpr int input_at_fault = 1;
 constexpr int output_not_written = 4;
 }  // namespace status
 
+PictureEmphasis emphasis(const CanvasState& canvas) {
+    PictureEmphasis emphasis{.lit = canvas.lit, .outlined = canvas.outlined, .before = canvas.before};
+    if (canvas.onion == OnionMode::before_and_after) emphasis.comparison = PictureComparison::onion;
+    if (canvas.onion == OnionMode::difference) emphasis.comparison = PictureComparison::difference;
+    return emphasis;
+}
+
+Color colour_of(const ImVec4& colour) {
+    const auto byte = [](float part) { return static_cast<std::uint8_t>(std::lround(255 * part)); };
+    return {byte(colour.x), byte(colour.y), byte(colour.z)};
+}
+
+PictureSurround surround(bool dark) { return {.ground = colour_of(canvas_ground(dark))}; }
+
 class Session {
   public:
     Session(Window& window, const EditorOptions& options)
@@ -49,6 +64,7 @@ class Session {
           effects_(answers_, folders_of(options)) {
         listen();
         if (options.screenshot.empty()) begin_keeping();
+        if (options.light) act(ShellAction{SetDarkTheme{false}});
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
     void run() {
@@ -86,13 +102,13 @@ class Session {
         if (options_.autosave_seconds > 0) state_.recovery.interval = options_.autosave_seconds;
         act(RecoveryAction{LookForRecoverables{}});
     }
-    void tick() {
+    /// Once a second: what is kept against a crash. True if something was asked for.
+    bool tick() {
         const double now = glfwGetTime();
-        if (!options_.screenshot.empty() || now < last_tick_ + seconds_a_tick) return;
+        if (!options_.screenshot.empty() || now < last_tick_ + seconds_a_tick) return false;
         last_tick_ = now;
-        act(RecoveryAction{Tick{now}});
+        return act(RecoveryAction{Tick{now}});
     }
-
     void listen() {
         window_.set_events({
             .key = [this](int key, int scancode, int action, int mods) { keyboard_.on_key(key, scancode, action, mods); },
@@ -109,14 +125,29 @@ class Session {
             glfwPollEvents();
             return;
         }
-        glfwWaitEventsTimeout(std::min(seconds_to_next_frame(), seconds_a_tick));
+        const double frame_due = glfwGetTime() + seconds_to_next_frame();
+        for (bool due = false; !due;) {
+            const double seconds = std::min(frame_due - glfwGetTime(), seconds_a_tick);
+            if (seconds > 0) glfwWaitEventsTimeout(seconds);
+            const bool ticked = tick();
+            const bool answered = take_answers();
+            due = window_.had_input() || ticked || answered || glfwGetTime() >= frame_due;
+        }
         pending_frames_ = frames_of_input;
     }
-    void act(const Action& action) {
+    bool take_answers() {
+        const Actions answers = answers_.drain();
+        for (const Action& answer : answers) act(answer);
+        if (!answers.empty()) pending_frames_ = frames_of_input;
+        return !answers.empty();
+    }
+    /// True if the action asked for something.
+    bool act(const Action& action) {
         Update next = update(std::move(state_), action);
         state_ = std::move(next.state);
         for (const Request& request : next.requests) effects_.fulfil(request);
-        for (const Action& answer : answers_.drain()) act(answer);
+        take_answers();
+        return !next.requests.empty();
     }
     /// A key gives its command, unless it is for the text that is being typed or for an open menu.
     bool take(const KeyPress& press) {
@@ -130,17 +161,15 @@ class Session {
     }
     void frame() {
         tick();
-        for (const Action& answer : answers_.drain()) {
-            act(answer);
-            pending_frames_ = frames_of_input;
-        }
+        take_answers();
         keyboard_.feed([this](const KeyPress& press) { return take(press); });
         show_title();
         screen_.begin(state_.shell);
         PanelTools tools;
         tools.scale = screen_.scale();
         tools.fonts = screen_.fonts();
-        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view);
+        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis(state_.canvas),
+                                              {.surround = surround(state_.shell.dark)});
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
         const Actions actions = editor_window(state_, tools);

@@ -70,21 +70,50 @@ DisplayScale Window::display_scale() const {
     return scale;
 }
 
+Window& Window::of(GLFWwindow* window) {
+    Window& own = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+    own.input_ = true;
+    return own;
+}
+
 void Window::set_events(WindowEvents events) {
     events_ = std::move(events);
-    glfwSetWindowUserPointer(window_, &events_);
-    const auto key = [](GLFWwindow* window, int code, int scancode, int action, int mods) {
-        static_cast<WindowEvents*>(glfwGetWindowUserPointer(window))->key(code, scancode, action, mods);
-    };
-    const auto letter = [](GLFWwindow* window, unsigned code) {
-        static_cast<WindowEvents*>(glfwGetWindowUserPointer(window))->letter(code);
-    };
-    const auto drop = [](GLFWwindow* window, int count, const char** files) {
-        for (int i = 0; i < count; ++i) static_cast<WindowEvents*>(glfwGetWindowUserPointer(window))->drop(files[i]);
-    };
-    glfwSetKeyCallback(window_, key);
-    glfwSetCharCallback(window_, letter);
-    glfwSetDropCallback(window_, drop);
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int code, int scancode, int action, int mods) {
+        of(window).events_.key(code, scancode, action, mods);
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned code) { of(window).events_.letter(code); });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** files) {
+        for (int i = 0; i < count; ++i) of(window).events_.drop(files[i]);
+    });
+    notice_input();
+}
+
+void Window::notice_input() {
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int mods) {
+        of(window);
+        ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double across, double up) {
+        of(window);
+        ImGui_ImplGlfw_ScrollCallback(window, across, up);
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+        of(window);
+        ImGui_ImplGlfw_CursorEnterCallback(window, entered);
+    });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
+        of(window);
+        ImGui_ImplGlfw_WindowFocusCallback(window, focused);
+    });
+    const auto moved = [](GLFWwindow* window, double, double) { of(window); };
+    const auto resized = [](GLFWwindow* window, int, int) { of(window); };
+    const auto told = [](GLFWwindow* window) { of(window); };
+    glfwSetCursorPosCallback(window_, moved);
+    glfwSetFramebufferSizeCallback(window_, resized);
+    glfwSetWindowRefreshCallback(window_, told);
+    glfwSetWindowCloseCallback(window_, told);
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { of(window); });
 }
 
 void Window::set_title(const std::string& title) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 struct GLFWwindow;
 
@@ -40,12 +41,18 @@ class Window {
     DisplayScale display_scale() const;
     /// Keys and letters no longer go to Dear ImGui by themselves.
     void set_events(WindowEvents events);
+    /// Did the user or the system do anything with the window since this was asked last?
+    bool had_input() { return std::exchange(input_, false); }
     void set_title(const std::string& title);
 
   private:
+    static Window& of(GLFWwindow* window);
+    void notice_input();
+
     GLFWwindow* window_ = nullptr;
     std::string title_;
     WindowEvents events_;
+    bool input_ = false;
 };
 
 }  // namespace rinceau

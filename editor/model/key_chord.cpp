@@ -67,7 +67,7 @@ std::vector<KeyChord> meanings(const KeyChord& pressed, const std::string& posit
 
 bool belongs_to_text(const KeyChord& chord) {
     constexpr std::array edit_text{"A"sv,    "C"sv,     "V"sv,  "X"sv,    "Y"sv,    "Z"sv,   "Backspace"sv, "Delete"sv,
-                                   "Left"sv, "Right"sv, "Up"sv, "Down"sv, "Home"sv, "End"sv, "Insert"sv,    "Enter"sv};
+                                   "Left"sv, "Right"sv, "Up"sv, "Down"sv, "Home"sv, "End"sv, "Insert"sv};
     if (is_function_key(chord.key)) return false;
     if (!chord.ctrl) return !chord.alt;
     return std::ranges::find(edit_text, chord.key) != edit_text.end();

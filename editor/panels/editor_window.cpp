@@ -7,7 +7,7 @@
 
 #include "editor/panels/command_menu.h"
 #include "editor/panels/panel.h"
-#include "editor/panels/window_layout.h"
+#include "editor/model/window_layout.h"
 
 namespace rinceau {
 namespace {

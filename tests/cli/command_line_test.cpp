@@ -12,7 +12,7 @@ namespace {
 const std::vector<std::string> verbs_on_samples = {"analyze",   "render",  "derive", "check",    "set",
                                                    "randomize", "symmetrize", "replace", "export", "normalize"};
 /// Their examples are for a shell or for documents of one's own.
-const std::vector<std::string> other_verbs = {"inkscape", "man", "completion"};
+const std::vector<std::string> other_verbs = {"edit", "inkscape", "man", "completion"};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

@@ -1,4 +1,4 @@
-#include "editor/panels/window_layout.h"
+#include "editor/model/window_layout.h"
 
 #include <algorithm>
 #include <cmath>
