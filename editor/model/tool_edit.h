@@ -37,7 +37,8 @@ struct ToolResult {
     std::vector<std::string> changes;  ///< as EditResult::changes; empty = nothing is different
 };
 
-/// The edit, with locked numbers as they were (lsystem/keep_locked.h) and checked (lsystem/check_edit.h). Throws as the edits and checked_edit().
+/// The edit, without what is locked (lsystem/keep_locked.h), checked (lsystem/check_edit.h). Throws as the edits, keep_locked()
+/// and checked_edit().
 ToolResult use_tool(const Document& document, const ToolEdit& edit);
 
 /// Is using a tool on this document surely done before a frame is?
