@@ -1,16 +1,13 @@
 #include "editor/effects/effects.h"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "analyzer/analyze.h"
-#include "editor/effects/folders.h"
+#include "editor/effects/analysis_jobs.h"
+#include "editor/effects/guarded.h"
 #include "editor/effects/progress_posts.h"
-#include "editor/effects/read_document.h"
 #include "editor/effects/read_tool_replacement.h"
-#include "editor/effects/write_document.h"
-#include "editor/effects/write_export.h"
 #include "lsystem/derivation_facts.h"
 #include "lsystem/grammar_text.h"
 #include "scene/input_error.h"
@@ -25,94 +22,21 @@ constexpr double seconds_to_measure = 3;
 /// In a picture with no more elements a selection is found between two frames.
 constexpr std::size_t elements_at_once = 20'000;
 
-/// Runs the work; what it throws is told by `fail`. JobCancelled passes.
-void guarded(const std::function<void()>& work, const std::function<void(std::string)>& fail) {
-    try {
-        work();
-    } catch (const std::bad_alloc&) {
-        fail("The memory does not suffice");
-    } catch (const std::exception& error) {
-        fail(error.what());
-    }
-}
-
 }  // namespace
 
-Effects::Effects(ActionQueue& answers)
-    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }) {}
+Effects::Effects(ActionQueue& answers, const KeptFolders& folders)
+    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }), files_(answers, folders) {}
 
 void Effects::fulfil(const Request& request) {
-    std::visit([this](const auto& known) { one(known); }, request);
-}
-
-void Effects::one(const ReadDocument& request) {
-    files_.start([path = request.path](const Progress&, const Worker::Post& post) {
-        guarded([&] { post(FileAction{read_document(path)}); },
-                [&](std::string message) {
-                    post(FileAction{FileFailed{path, std::move(message)}});
-                });
-    });
-}
-
-void Effects::one(const WriteDocument& request) {
-    writes_.run([this, request] { answers_.post(write_document(request)); });
-}
-
-void Effects::one(const WriteExport& request) {
-    export_stopped_ = std::make_shared<std::atomic<bool>>(false);
-    writes_.run([this, request, stopped = export_stopped_] {
-        const std::string& path = request.what.path;
-        const Progress progress = [&](std::string_view stage, double fraction) {
-            if (*stopped) throw JobCancelled{};
-            answers_.post(FileAction{ExportProgress{std::string(stage), fraction}});
-        };
-        const auto work = [&] {
-            const ExportedFiles made = make_export(request.document, request.what, progress);
-            const std::vector<std::string> there = files_to_replace(made);
-            if (!there.empty() && !request.what.replace) {
-                answers_.post(FileAction{WouldReplace{there, request.what}});
-                return;
+    std::visit(
+        [this](const auto& known) {
+            if constexpr (requires { files_.fulfil(known); }) {
+                files_.fulfil(known);
+            } else {
+                one(known);
             }
-            progress("write", 1);
-            write_export(made);
-            answers_.post(FileAction{FileExported{path, made.notes}});
-        };
-        const auto fail = [&](std::string message) { answers_.post(FileAction{ExportFailed{path, std::move(message)}}); };
-        try {
-            guarded(work, fail);
-        } catch (const JobCancelled&) {
-            fail({});
-        }
-    });
-}
-
-void Effects::one(const StopExport&) {
-    if (export_stopped_) *export_stopped_ = true;
-}
-
-void Effects::one(const HoldFile&) {}
-
-void Effects::one(const ListFolder& request) {
-    looks_.run([this, request] { answer_folder([&] { return list_folder(absolute_path(request.folder, request.from)); }); });
-}
-
-void Effects::one(const MakeFolder& request) {
-    looks_.run([this, request] {
-        answer_folder([&] {
-            const std::string folder = absolute_path(request.folder, request.from);
-            make_folder(folder);
-            return list_folder(folder);
-        });
-    });
-}
-
-void Effects::one(const LookAtPath& request) {
-    looks_.run([this, request] { answers_.post(DialogAction{look_at(absolute_path(request.path, request.from))}); });
-}
-
-void Effects::answer_folder(const std::function<FolderListed()>& list) {
-    guarded([&] { answers_.post(DialogAction{list()}); },
-            [&](std::string message) { answers_.post(DialogAction{FolderFailed{std::move(message)}}); });
+        },
+        request);
 }
 
 void Effects::one(const DerivePicture& request) {
@@ -173,27 +97,36 @@ void Effects::one(const MeasureDepth& request) {
     });
 }
 
-void Effects::one(const RunAnalysis& request) {
-    analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
-        ProgressPosts posts;
-        const Progress told = [&](std::string_view stage, double fraction) {
-            progress(stage, fraction);
-            if (posts.worth(stage, std::chrono::steady_clock::now()))
-                post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
-        };
+void Effects::one(const LightRule& request) {
+    lights_.start([request](const Progress& progress, const Worker::Post& post) {
         guarded(
             [&] {
-                const auto kept = cache->prepared(request.drawing, request.options, told);
-                auto found = std::make_shared<const Analysis>(analyze(kept->prepared, request.options, told));
-                post(AnalysisAction{AnalysisDone{request.job, std::move(found)}});
+                LitItems lit = lit_by_rule(request.document, request.production, progress);
+                post(CanvasAction{RuleLit{request.revision, request.production, std::move(lit)}});
             },
-            [&](std::string message) {
-                post(AnalysisAction{AnalysisFailed{request.job, std::move(message)}});
-            });
+            [](const std::string&) {});  // what has no picture has nothing to light
     });
 }
 
+void Effects::one(const DeriveBefore& request) {
+    befores_.start([document = request.document](const Progress& progress, const Worker::Post& post) {
+        guarded(
+            [&] {
+                DerivedPicture picture =
+                    document.drawing ? drawing_picture(*document.drawing) : derive_picture(document, progress);
+                post(CanvasAction{BeforeDerived{std::make_shared<const DerivedPicture>(std::move(picture))}});
+            },
+            [](const std::string&) {});  // a document that was open has had a picture
+    });
+}
+
+void Effects::one(const RunAnalysis& request) { analyses_.start(analysis_job(request, prepared_)); }
+
 void Effects::one(const StopAnalysis&) { analyses_.stop(); }
+
+void Effects::one(const TabulateClusters& request) { clusters_.start(clusters_job(request, prepared_)); }
+
+void Effects::one(const MapElements& request) { maps_.start(mapping_job(request)); }
 
 void Effects::one(const RunTool& request) {
     const auto use = [request](const Worker::Post& post) {
@@ -208,7 +141,7 @@ void Effects::one(const RunTool& request) {
 }
 
 void Effects::one(const ReadReplacement& request) {
-    files_.start([request](const Progress&, const Worker::Post& post) {
+    replacements_.start([request](const Progress&, const Worker::Post& post) {
         guarded([&] { post(read_tool_replacement(request)); },
                 [&](std::string message) {
                     post(ToolsAction{ReplacementFailed{request.with, std::move(message)}});

@@ -5,6 +5,7 @@
 
 #include "editor/effects/folders.h"
 #include "editor/model/file_kind.h"
+#include "editor/model/project.h"
 #include "exports/json_grammar.h"
 #include "files/files.h"
 #include "lsystem/flat_grammar.h"
@@ -32,11 +33,17 @@ FileOpened drawing_document(const std::string& path, std::string_view bytes) {
     return opened;
 }
 
+FileOpened project_document(const std::string& path, std::string_view bytes) {
+    Project project = parse_project(bytes, absolute_path(path));
+    return {.path = path, .document = std::move(project.document), .view = project.view};
+}
+
 FileOpened grammar_document(const std::string& path, std::string_view bytes) {
     FileOpened opened{.path = path, .document = empty_document()};
     auto used = std::make_shared<UsedFiles>();
-    auto grammar = std::make_shared<const Grammar>(looks_like_json(bytes) ? parse_json_grammar(bytes, path)
-                                                                          : parse_grammar(bytes, path));
+    const std::string absolute = absolute_path(path);
+    auto grammar = std::make_shared<const Grammar>(looks_like_json(bytes) ? parse_json_grammar(bytes, absolute)
+                                                                          : parse_grammar(bytes, absolute));
     opened.document.grammar = grammar;
     opened.document.resolved = grammar;
     if (!grammar->uses.empty()) {
@@ -47,12 +54,18 @@ FileOpened grammar_document(const std::string& path, std::string_view bytes) {
     return opened;
 }
 
+FileOpened open_bytes(const std::string& path, std::string_view bytes) {
+    if (holds_drawing(path, bytes)) return drawing_document(path, bytes);
+    const bool project = kind_of_name(path) == FileKind::project || (looks_like_json(bytes) && looks_like_project(bytes));
+    return project ? project_document(path, bytes) : grammar_document(path, bytes);
+}
+
 }  // namespace
 
 FileOpened read_document(const std::string& path) {
     const std::optional<FileStamp> stamp = stamp_of(path);  // before reading: a change in between is noticed when saving
     const std::string bytes = read_input(path);
-    FileOpened opened = holds_drawing(path, bytes) ? drawing_document(path, bytes) : grammar_document(path, bytes);
+    FileOpened opened = open_bytes(path, bytes);
     opened.stamp = stamp;
     opened.absolute = absolute_path(path);
     return opened;

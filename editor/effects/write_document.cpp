@@ -7,6 +7,7 @@
 
 #include "editor/effects/folders.h"
 #include "editor/model/file_kind.h"
+#include "editor/model/project.h"
 #include "exports/json_grammar.h"
 #include "files/files.h"
 #include "lsystem/grammar_text.h"
@@ -16,6 +17,8 @@ namespace {
 
 std::string document_bytes(const WriteDocument& request) {
     switch (kind_of_name(request.path)) {
+        case FileKind::project:
+            return to_json(Project{request.document, request.view, {}});
         case FileKind::json_grammar:
             return to_json(*request.document.grammar).bytes;
         default:

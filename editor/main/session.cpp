@@ -13,6 +13,8 @@
 #include <utility>
 
 #include "editor/effects/effects.h"
+#include "editor/effects/kept_preferences.h"
+#include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
 #include "editor/main/keyboard.h"
 #include "editor/main/screen.h"
@@ -44,8 +46,9 @@ class Session {
           keyboard_(window.handle()),
           state_(initial_state()),
           answers_(glfwPostEmptyEvent),
-          effects_(answers_) {
+          effects_(answers_, folders_of(options)) {
         listen();
+        if (options.screenshot.empty()) begin_keeping();
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
     void run() {
@@ -71,6 +74,24 @@ class Session {
 
   private:
     static constexpr int frames_of_input = 2;  // ImGui shows the effect of an input one frame later
+    static constexpr double seconds_a_tick = 1;
+
+    /// A screenshot shows the file alone, whatever was done before.
+    static KeptFolders folders_of(const EditorOptions& options) {
+        return options.screenshot.empty() ? KeptFolders{state_folder(), config_folder()} : KeptFolders{};
+    }
+    void begin_keeping() {
+        const PreferencesInFile read = read_preferences(config_folder());
+        act(RecoveryAction{PreferencesRead{read.preferences, read.mistake}});
+        if (options_.autosave_seconds > 0) state_.recovery.interval = options_.autosave_seconds;
+        act(RecoveryAction{LookForRecoverables{}});
+    }
+    void tick() {
+        const double now = glfwGetTime();
+        if (!options_.screenshot.empty() || now < last_tick_ + seconds_a_tick) return;
+        last_tick_ = now;
+        act(RecoveryAction{Tick{now}});
+    }
 
     void listen() {
         window_.set_events({
@@ -88,12 +109,7 @@ class Session {
             glfwPollEvents();
             return;
         }
-        const double seconds = seconds_to_next_frame();
-        if (std::isfinite(seconds)) {
-            glfwWaitEventsTimeout(seconds);
-        } else {
-            glfwWaitEvents();
-        }
+        glfwWaitEventsTimeout(std::min(seconds_to_next_frame(), seconds_a_tick));
         pending_frames_ = frames_of_input;
     }
     void act(const Action& action) {
@@ -113,6 +129,7 @@ class Session {
         return press.chord.key != "Escape";  // which Dear ImGui wants to know of, too
     }
     void frame() {
+        tick();
         for (const Action& answer : answers_.drain()) {
             act(answer);
             pending_frames_ = frames_of_input;
@@ -164,6 +181,7 @@ class Session {
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
     std::string title_;
+    double last_tick_ = 0;
 };
 
 int take_screenshot(Window& window, const EditorOptions& options) {

@@ -23,8 +23,12 @@ std::vector<Command> file_commands() {
     return {
         show_dialog("file.new", "New", "Ctrl+N", "Begins with a row of three squares.",
                     [](const EditorState&) -> Action { return FileAction{NewDocument{}}; }),
+        show_dialog("file.sample", "New from a sample...", "Ctrl+Shift+N", "Begins with one of the samples.",
+                    [](const EditorState&) -> Action { return DialogAction{ShowPickList{PickList::Of::samples}}; }),
         show_dialog("file.open", "Open...", "Ctrl+O", "Opens a drawing, a grammar or a project.",
                     [](const EditorState&) -> Action { return DialogAction{ShowFileDialog{FilePurpose::open}}; }),
+        show_dialog("file.recent", "Open recent...", "Ctrl+Shift+O", "Opens a file that was open lately.",
+                    [](const EditorState&) -> Action { return DialogAction{ShowPickList{PickList::Of::recent}}; }),
         show_dialog("file.save", "Save", "Ctrl+S", "Writes the document to its file; asks for a name if it has none.",
                     [](const EditorState&) -> Action { return FileAction{SaveFile{}}; }),
         show_dialog("file.save_as", "Save as...", "Ctrl+Shift+S",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "editor/model/file_dialog.h"
+#include "editor/model/pick_list.h"
 
 namespace rinceau {
 
@@ -69,9 +70,26 @@ struct PathSeen {
     What what = What::nothing;
 };
 
+/// The list of samples or of recent files.
+struct ShowPickList {
+    PickList::Of of = PickList::Of::samples;
+};
+struct ClosePickList {};
+struct SamplesListed {
+    std::vector<PickItem> samples;
+};
+struct MoveInPickList {
+    int rows = 0;
+};
+/// The document of this row is opened; of the selected row, if it is below 0.
+struct PickItemAt {
+    int row = -1;
+};
+
 using DialogAction =
     std::variant<ShowFileDialog, CloseFileDialog, FocusFileDialog, TypeInFileDialog, MoveInFileDialog, SelectFileRow,
                  AcceptFileDialog, GoToFolder, ShowHiddenFiles, ShowAllKinds, NameNewFolder, CancelNewFolder, MakeNewFolder,
-                 ChooseFileKind, ChooseExportFormat, SetExportChoices, FolderListed, FolderFailed, PathSeen>;
+                 ChooseFileKind, ChooseExportFormat, SetExportChoices, ShowPickList, ClosePickList, SamplesListed,
+                 MoveInPickList, PickItemAt, FolderListed, FolderFailed, PathSeen>;
 
 }  // namespace rinceau

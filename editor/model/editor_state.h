@@ -9,11 +9,13 @@
 
 #include "editor/model/analysis_state.h"
 #include "editor/model/canvas_state.h"
+#include "editor/model/clusters_state.h"
 #include "editor/model/derived_picture.h"
 #include "editor/model/dialog_state.h"
 #include "editor/model/document.h"
 #include "editor/model/file_state.h"
 #include "editor/model/history.h"
+#include "editor/model/recovery_state.h"
 #include "editor/model/rules_state.h"
 #include "editor/model/shell_state.h"
 #include "editor/model/tools_state.h"
@@ -41,10 +43,12 @@ struct EditorState {
 
     FileState file;
     DialogState dialog;
+    RecoveryState recovery;
     RulesState rules;
     ToolsState tools;
     CanvasState canvas;
     AnalysisState analysis;
+    ClustersState clusters;
     ShellState shell;
     std::vector<EditorMessage> messages;  ///< oldest first
 };

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "analyzer/analyze.h"
+#include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
+#include "editor/model/preferences.h"
 #include "editor/model/tool_edit.h"
 #include "editor/model/view_transform.h"
 
@@ -56,6 +58,30 @@ struct LookAtPath {
     std::string path;
     std::string from;
 };
+/// Answered by SamplesListed.
+struct ListSamples {};
+/// The document into this window's copy for emergencies, as opened from `path`. Answered by RecoveryWritten or
+/// RecoveryFailed.
+struct WriteRecovery {
+    Document document;
+    ViewTransform view;
+    std::string path;
+    std::optional<FileStamp> stamp;
+};
+/// This window's copy goes.
+struct RemoveRecovery {};
+/// Answered by RecoverablesFound.
+struct FindRecoverables {};
+/// A copy that was found becomes this window's. Answered by DocumentRecovered or RecoverableFailed.
+struct ReadRecovery {
+    std::string file;
+};
+struct DiscardRecovery {
+    std::string file;
+};
+struct WritePreferences {
+    Preferences preferences;
+};
 /// Answered by PictureDerived or PictureFailed; a later one takes its place.
 struct DerivePicture {
     std::uint64_t revision = 0;
@@ -64,6 +90,16 @@ struct DerivePicture {
 /// Answered by SelectionFound; a later one takes its place.
 struct FindSelection {
     SelectionSearch search;
+};
+/// Answered by RuleLit; a later one takes its place.
+struct LightRule {
+    std::uint64_t revision = 0;
+    Document document;
+    int production = -1;
+};
+/// The picture of the drawing, or else of the grammar. Answered by BeforeDerived, or PictureFailed.
+struct DeriveBefore {
+    Document document;
 };
 /// Answered by TextChecked.
 struct CheckText {
@@ -84,6 +120,17 @@ struct RunAnalysis {
 };
 /// Not answered.
 struct StopAnalysis {};
+/// Answered by ClustersFound or ClustersFailed; a later one takes its place.
+struct TabulateClusters {
+    std::uint64_t job = 0;
+    std::shared_ptr<const Scene> drawing;
+    AnalyzeOptions options;
+};
+/// Answered by ElementsMapped; a later one takes its place.
+struct MapElements {
+    std::shared_ptr<const DerivedPicture> picture;
+    std::shared_ptr<const Scene> drawing;
+};
 /// Answered by ToolDone or ToolFailed.
 struct RunTool {
     std::uint64_t job = 0;
@@ -108,8 +155,12 @@ using Request = std::variant<
     FindSelection,
     CheckText,
     MeasureDepth,
+    LightRule,
+    DeriveBefore,
     RunAnalysis,
     StopAnalysis,
+    TabulateClusters,
+    MapElements,
     RunTool,
     ReadReplacement,
     CloseWindow,
@@ -117,7 +168,14 @@ using Request = std::variant<
     HoldFile,
     ListFolder,
     MakeFolder,
-    LookAtPath
+    LookAtPath,
+    ListSamples,
+    WriteRecovery,
+    RemoveRecovery,
+    FindRecoverables,
+    ReadRecovery,
+    DiscardRecovery,
+    WritePreferences
 >;
 // clang-format on
 using Requests = std::vector<Request>;

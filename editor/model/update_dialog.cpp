@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "editor/model/export_target.h"
-#include "editor/model/update_parts.h"
+#include "editor/model/update_dialog_parts.h"
 
 namespace rinceau {
 namespace {
@@ -36,6 +36,7 @@ void perform_one(Update& update, const ShowFileDialog& action) {
     if (action.purpose != FilePurpose::open) dialog = with_text(std::move(dialog), proposed_name(state, action.purpose));
     list_folder(update, dialog, state.file.last_folder.empty() ? "." : state.file.last_folder);
     state.dialog.file = std::move(dialog);
+    state.dialog.list.reset();
 }
 
 void perform_one(Update& update, const CloseFileDialog&) {
@@ -183,6 +184,11 @@ void perform_one(Update& update, const PathSeen& action) {
     } else {
         accept_file(update, action.path, action.what == PathSeen::What::file);
     }
+}
+
+template <class Pick>
+void perform_one(Update& update, const Pick& action) {
+    perform_pick(update, action);
 }
 
 }  // namespace

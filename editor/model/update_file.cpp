@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "editor/model/new_document.h"
+#include "editor/model/state_preferences.h"
 
 namespace rinceau {
 
@@ -51,6 +52,8 @@ void perform_intent(Update& update, const FileIntent& intent) {
         case Kind::revert:
             return read_file(update, intent);
         case Kind::recover:
+            update.state.file.opening = intent;
+            update.requests.push_back(ReadRecovery{intent.path});
             return;
         case Kind::quit:
             if (update.state.file.exporting) {
@@ -58,8 +61,18 @@ void perform_intent(Update& update, const FileIntent& intent) {
                 tell(update, MessageKind::note, "Leaves when " + update.state.file.exporting->path + " is written");
                 return;
             }
+            update.requests.push_back(RemoveRecovery{});
+            if (current_preferences(update.state) != update.state.recovery.written)
+                update.requests.push_back(WritePreferences{current_preferences(update.state)});
             update.requests.push_back(CloseWindow{});
     }
+}
+
+void show_view(EditorState& state, const ViewTransform& view) {
+    const Point size = state.canvas.view.size;
+    state.canvas.view = view;
+    state.canvas.view.size = size;
+    state.canvas.fit_pending = false;
 }
 
 void note_recent(FileState& file, const std::string& path) {
@@ -103,12 +116,7 @@ void perform_one(Update& update, const FileOpened& action) {
     if (own) note_recent(file, absolute);
     update.requests.push_back(HoldFile{file.path});
     replace_document(update, action.document);
-    if (action.view) {
-        const Point size = update.state.canvas.view.size;
-        update.state.canvas.view = *action.view;
-        update.state.canvas.view.size = size;
-        update.state.canvas.fit_pending = false;
-    }
+    if (action.view) show_view(update.state, *action.view);
     for (const std::string& warning : action.warnings) tell(update, MessageKind::warning, warning);
     if (action.analyse) perform(update, AnalysisAction{StartAnalysis{action.document.analysis}});
 }

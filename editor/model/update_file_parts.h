@@ -12,6 +12,9 @@ void ask_or_perform(Update& update, const FileIntent& intent);
 /// Without asking.
 void perform_intent(Update& update, const FileIntent& intent);
 
+/// The part of the scene that a project was left with, on a canvas of the size that it has here.
+void show_view(EditorState& state, const ViewTransform& view);
+
 /// The file is the newest of the recent ones.
 void note_recent(FileState& file, const std::string& path);
 

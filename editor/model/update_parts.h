@@ -18,6 +18,7 @@ void perform(Update& update, const CanvasAction& action);
 void perform(Update& update, const AnalysisAction& action);
 void perform(Update& update, const ShellAction& action);
 void perform(Update& update, const DialogAction& action);
+void perform(Update& update, const RecoveryAction& action);
 
 void tell(Update& update, MessageKind kind, std::string text);
 
@@ -46,6 +47,9 @@ bool edit_grammar(Update& update, const std::string& label, const std::function<
 
 /// The same as a preview of what the document would be; what goes wrong is not told while the mouse moves.
 void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
+
+/// What a tool previews, or is about to, is not wanted any more.
+void drop_tool(EditorState& state);
 
 /// What the panel of rules says is of the grammars that are shown now.
 void refresh_rules(Update& update);

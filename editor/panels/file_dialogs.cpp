@@ -8,6 +8,8 @@
 #include "editor/panels/file_browser.h"
 #include "editor/panels/modal_window.h"
 #include "editor/panels/panel.h"
+#include "editor/panels/pick_list_window.h"
+#include "editor/panels/recovery_window.h"
 
 namespace rinceau {
 namespace {
@@ -103,7 +105,7 @@ Actions export_window(const EditorState& state, const PanelTools& tools) {
 
 Actions file_dialogs(const EditorState& state, const PanelTools& tools) {
     Actions actions;
-    for (const auto window : {file_browser, question_window, export_window})
+    for (const auto window : {recovery_window, pick_list_window, file_browser, question_window, export_window})
         for (Action& action : window(state, tools)) actions.push_back(std::move(action));
     return actions;
 }
