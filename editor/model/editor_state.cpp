@@ -1,6 +1,9 @@
 #include "editor/model/editor_state.h"
 
+#include <algorithm>
+
 #include "editor/model/file_kind.h"
+#include "lsystem/grammar_names.h"
 
 namespace rinceau {
 
@@ -27,6 +30,20 @@ std::string window_title(const EditorState& state) {
     const std::string& path = state.file.path;
     const std::string name = path.empty() ? "Untitled" : path.substr(path.rfind('/') + 1);
     return (has_unsaved_changes(state) ? "*" : "") + name + " – Rinceau";
+}
+
+std::string selected_symbol(const EditorState& state) {
+    if (!state.canvas.selection) return {};
+    const std::string& symbol = selected_module(*state.canvas.selection).symbol;
+    const auto symbols = symbols_of(*state.document.grammar);
+    return std::ranges::count(symbols, symbol) > 0 ? symbol : std::string();
+}
+
+int selected_rule(const EditorState& state) {
+    constexpr int none = -2;
+    if (!state.canvas.selection) return none;
+    const int production = selected_production(*state.canvas.selection);
+    return production < static_cast<int>(state.document.grammar->productions.size()) ? production : none;
 }
 
 bool has_unsaved_changes(const EditorState& state) {
