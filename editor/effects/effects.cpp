@@ -6,6 +6,9 @@
 
 #include "analyzer/analyze.h"
 #include "editor/effects/progress_posts.h"
+#include "editor/effects/read_tool_replacement.h"
+#include "lsystem/derivation_facts.h"
+#include "lsystem/grammar_text.h"
 #include "scene/input_error.h"
 
 namespace rinceau {
@@ -14,6 +17,7 @@ namespace {
 /// What is allowed to a picture that is derived between two frames.
 constexpr double seconds_at_once = 0.05;
 constexpr std::uint64_t modules_at_once = 1'000'000;
+constexpr double seconds_to_measure = 3;
 /// In a picture with no more elements a selection is found between two frames.
 constexpr std::size_t elements_at_once = 20'000;
 
@@ -31,11 +35,7 @@ void guarded(const std::function<void()>& work, const std::function<void(std::st
 }  // namespace
 
 Effects::Effects(ActionQueue& answers, const KeptFolders& folders)
-    : answers_(answers),
-      pictures_([this](Action action) { answers_.post(std::move(action)); }),
-      selections_([this](Action action) { answers_.post(std::move(action)); }),
-      analyses_([this](Action action) { answers_.post(std::move(action)); }),
-      files_(answers, folders) {}
+    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }), files_(answers, folders) {}
 
 void Effects::fulfil(const Request& request) {
     std::visit(
@@ -84,6 +84,29 @@ void Effects::one(const FindSelection& request) {
     });
 }
 
+void Effects::one(const CheckText& request) {
+    texts_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto answer = [&](TextFindings findings) {
+            post(RulesAction{TextChecked{request.revision, std::move(findings)}});
+        };
+        guarded([&] { answer(check_rule_text(request.text, request.file, request.document, progress)); },
+                [&](std::string message) { answer({.picture = std::move(message)}); });
+    });
+}
+
+void Effects::one(const MeasureDepth& request) {
+    depths_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto& grammar = request.document.resolved;
+        DeriveOptions derive = request.document.derive;
+        derive.depth = -1;
+        derive.max_seconds = seconds_to_measure;
+        guarded([&] { post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}}); },
+                [&](const std::string&) {
+                    post(RulesAction{DepthMeasured{grammar, -1}});
+                });
+    });
+}
+
 void Effects::one(const RunAnalysis& request) {
     analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
         ProgressPosts posts;
@@ -105,6 +128,27 @@ void Effects::one(const RunAnalysis& request) {
 }
 
 void Effects::one(const StopAnalysis&) { analyses_.stop(); }
+
+void Effects::one(const RunTool& request) {
+    const auto use = [request](const Worker::Post& post) {
+        guarded([&] { post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}}); },
+                [&](std::string message) { post(ToolsAction{ToolFailed{request.job, std::move(message)}}); });
+    };
+    if (request.at_once) {
+        use([this](Action action) { answers_.post(std::move(action)); });
+    } else {
+        tools_.start([use](const Progress&, const Worker::Post& post) { use(post); });
+    }
+}
+
+void Effects::one(const ReadReplacement& request) {
+    files_.start([request](const Progress&, const Worker::Post& post) {
+        guarded([&] { post(read_tool_replacement(request)); },
+                [&](std::string message) {
+                    post(ToolsAction{ReplacementFailed{request.with, std::move(message)}});
+                });
+    });
+}
 
 void Effects::one(const CloseWindow&) { closing_ = true; }
 

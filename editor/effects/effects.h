@@ -25,15 +25,23 @@ class Effects {
   private:
     void one(const DerivePicture& request);
     void one(const FindSelection& request);
+    void one(const CheckText& request);
+    void one(const MeasureDepth& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
+    void one(const RunTool& request);
+    void one(const ReadReplacement& request);
     void one(const CloseWindow& request);
 
     ActionQueue& answers_;
-    Worker pictures_;
-    Worker selections_;
+    Worker::Post post_;  ///< to the answers, from any thread
+    Worker pictures_{post_};
+    Worker selections_{post_};
+    Worker texts_{post_};
+    Worker depths_{post_};
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
-    Worker analyses_;
+    Worker analyses_{post_};
+    Worker tools_{post_};
     bool closing_ = false;
     FileEffects files_;  ///< last: waits for what is to be written while all else is still there
 };

@@ -43,7 +43,7 @@ bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b) {
     const auto values = [](const AnalyzeOptions& o) {
         return std::tuple(o.similarity.tolerance, o.similarity.tolerance_of_diagonal, o.similarity.mirrored_copies,
                           o.tolerance, o.weights.count, o.weights.nearness, o.weights.similarity, o.weights.length,
-                          o.objective, o.symmetrize, o.stochastic);
+                          o.objective, o.symmetrize, o.stochastic, o.grouping);
     };
     return values(a) == values(b);
 }

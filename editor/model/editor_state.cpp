@@ -15,7 +15,18 @@ const Document& shown_document(const EditorState& state) { return state.preview 
 
 bool is_busy(const EditorState& state) {
     const bool derives = state.picture_revision != state.revision && state.picture_mistake.empty();
-    return derives || state.analysis.running || state.file.opening || state.file.saving || state.file.exporting;
+    return derives || state.analysis.running || state.file.opening || state.file.saving || state.file.exporting ||
+           state.tools.running || state.tools.reading;
+}
+
+bool shows_tool_preview(const EditorState& state) {
+    return state.preview && state.tools.previewed && state.preview->grammar == state.tools.previewed;
+}
+
+std::string window_title(const EditorState& state) {
+    const std::string& path = state.file.path;
+    const std::string name = path.empty() ? "Untitled" : path.substr(path.rfind('/') + 1);
+    return (has_unsaved_changes(state) ? "*" : "") + name + " – Rinceau";
 }
 
 bool has_unsaved_changes(const EditorState& state) {

@@ -57,8 +57,14 @@ EditorState initial_state();
 /// What is to be seen: the preview, or the document.
 const Document& shown_document(const EditorState& state);
 
+/// Is the preview that is shown of a tool?
+bool shows_tool_preview(const EditorState& state);
+
 /// Is something being read, derived or analysed, so that more will change by itself?
 bool is_busy(const EditorState& state);
+
+/// "facade.lsys – Rinceau", with a "*" before it if there are unsaved changes.
+std::string window_title(const EditorState& state);
 
 /// Would be lost if the window closed now: compared with what the file holds, by versions. A file of a grammar alone does
 /// not hold locks and options. Quick, for every frame.

@@ -12,6 +12,7 @@
 #include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
 #include "editor/model/preferences.h"
+#include "editor/model/tool_edit.h"
 #include "editor/model/view_transform.h"
 
 namespace rinceau {
@@ -89,6 +90,17 @@ struct DerivePicture {
 struct FindSelection {
     SelectionSearch search;
 };
+/// Answered by TextChecked.
+struct CheckText {
+    std::uint64_t revision = 0;
+    std::string text;
+    std::string file;
+    Document document;
+};
+/// How deep the document can be derived. Answered by DepthMeasured.
+struct MeasureDepth {
+    Document document;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
@@ -97,12 +109,49 @@ struct RunAnalysis {
 };
 /// Not answered.
 struct StopAnalysis {};
+/// Answered by ToolDone or ToolFailed.
+struct RunTool {
+    std::uint64_t job = 0;
+    Document document;
+    std::shared_ptr<const ToolEdit> edit;
+    bool at_once = false;  ///< it is quick
+};
+/// What takes the place of a symbol, in the words of files/replacement_text.h. Answered by ReplacementRead or
+/// ReplacementFailed.
+struct ReadReplacement {
+    std::string symbol;
+    std::string with;
+};
 struct CloseWindow {};
 
-using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, RunAnalysis, StopAnalysis,
-                 CloseWindow, StopExport, HoldFile, ListFolder, MakeFolder, LookAtPath, ListSamples, WriteRecovery,
-                 RemoveRecovery, FindRecoverables, ReadRecovery, DiscardRecovery, WritePreferences>;
+// clang-format off: one a line, so that the list grows without touching other lines
+using Request = std::variant<
+    ReadDocument,
+    WriteDocument,
+    WriteExport,
+    DerivePicture,
+    FindSelection,
+    CheckText,
+    MeasureDepth,
+    RunAnalysis,
+    StopAnalysis,
+    RunTool,
+    ReadReplacement,
+    CloseWindow,
+    StopExport,
+    HoldFile,
+    ListFolder,
+    MakeFolder,
+    LookAtPath,
+    ListSamples,
+    WriteRecovery,
+    RemoveRecovery,
+    FindRecoverables,
+    ReadRecovery,
+    DiscardRecovery,
+    WritePreferences
+>;
+// clang-format on
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau
