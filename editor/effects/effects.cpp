@@ -5,11 +5,13 @@
 
 #include "analyzer/analyze.h"
 #include "editor/effects/analysis_jobs.h"
+#include "editor/effects/folders.h"
 #include "editor/effects/guarded.h"
 #include "editor/effects/read_document.h"
+#include "editor/effects/read_tool_replacement.h"
+#include "editor/effects/write_document.h"
 #include "editor/effects/write_export.h"
-#include "files/files.h"
-#include "files/output_error.h"
+#include "lsystem/derivation_facts.h"
 #include "lsystem/grammar_text.h"
 #include "scene/input_error.h"
 
@@ -19,21 +21,14 @@ namespace {
 /// What is allowed to a picture that is derived between two frames.
 constexpr double seconds_at_once = 0.05;
 constexpr std::uint64_t modules_at_once = 1'000'000;
+constexpr double seconds_to_measure = 3;
 /// In a picture with no more elements a selection is found between two frames.
 constexpr std::size_t elements_at_once = 20'000;
 
 }  // namespace
 
 Effects::Effects(ActionQueue& answers)
-    : answers_(answers),
-      files_([this](Action action) { answers_.post(std::move(action)); }),
-      pictures_([this](Action action) { answers_.post(std::move(action)); }),
-      selections_([this](Action action) { answers_.post(std::move(action)); }),
-      lights_([this](Action action) { answers_.post(std::move(action)); }),
-      befores_([this](Action action) { answers_.post(std::move(action)); }),
-      analyses_([this](Action action) { answers_.post(std::move(action)); }),
-      clusters_([this](Action action) { answers_.post(std::move(action)); }),
-      maps_([this](Action action) { answers_.post(std::move(action)); }) {}
+    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }) {}
 
 void Effects::fulfil(const Request& request) {
     std::visit([this](const auto& known) { one(known); }, request);
@@ -49,25 +44,64 @@ void Effects::one(const ReadDocument& request) {
 }
 
 void Effects::one(const WriteDocument& request) {
-    guarded(
-        [&] {
-            write_output(request.path, to_text(*request.document.grammar));
-            answers_.post(FileAction{FileSaved{request.path, request.document.grammar}});
-        },
-        [&](std::string message) {
-            answers_.post(FileAction{SaveFailed{request.path, std::move(message)}});
-        });
+    writes_.run([this, request] { answers_.post(write_document(request)); });
 }
 
 void Effects::one(const WriteExport& request) {
-    guarded(
-        [&] {
-            answers_.post(
-                FileAction{FileExported{request.path, write_export(request.document, request.path, request.format)}});
-        },
-        [&](std::string message) {
-            answers_.post(FileAction{SaveFailed{request.path, std::move(message)}});
+    export_stopped_ = std::make_shared<std::atomic<bool>>(false);
+    writes_.run([this, request, stopped = export_stopped_] {
+        const std::string& path = request.what.path;
+        const Progress progress = [&](std::string_view stage, double fraction) {
+            if (*stopped) throw JobCancelled{};
+            answers_.post(FileAction{ExportProgress{std::string(stage), fraction}});
+        };
+        const auto work = [&] {
+            const ExportedFiles made = make_export(request.document, request.what, progress);
+            const std::vector<std::string> there = files_to_replace(made);
+            if (!there.empty() && !request.what.replace) {
+                answers_.post(FileAction{WouldReplace{there, request.what}});
+                return;
+            }
+            progress("write", 1);
+            write_export(made);
+            answers_.post(FileAction{FileExported{path, made.notes}});
+        };
+        const auto fail = [&](std::string message) { answers_.post(FileAction{ExportFailed{path, std::move(message)}}); };
+        try {
+            guarded(work, fail);
+        } catch (const JobCancelled&) {
+            fail({});
+        }
+    });
+}
+
+void Effects::one(const StopExport&) {
+    if (export_stopped_) *export_stopped_ = true;
+}
+
+void Effects::one(const HoldFile&) {}
+
+void Effects::one(const ListFolder& request) {
+    looks_.run([this, request] { answer_folder([&] { return list_folder(absolute_path(request.folder, request.from)); }); });
+}
+
+void Effects::one(const MakeFolder& request) {
+    looks_.run([this, request] {
+        answer_folder([&] {
+            const std::string folder = absolute_path(request.folder, request.from);
+            make_folder(folder);
+            return list_folder(folder);
         });
+    });
+}
+
+void Effects::one(const LookAtPath& request) {
+    looks_.run([this, request] { answers_.post(DialogAction{look_at(absolute_path(request.path, request.from))}); });
+}
+
+void Effects::answer_folder(const std::function<FolderListed()>& list) {
+    guarded([&] { answers_.post(DialogAction{list()}); },
+            [&](std::string message) { answers_.post(DialogAction{FolderFailed{std::move(message)}}); });
 }
 
 void Effects::one(const DerivePicture& request) {
@@ -105,6 +139,29 @@ void Effects::one(const FindSelection& request) {
     });
 }
 
+void Effects::one(const CheckText& request) {
+    texts_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto answer = [&](TextFindings findings) {
+            post(RulesAction{TextChecked{request.revision, std::move(findings)}});
+        };
+        guarded([&] { answer(check_rule_text(request.text, request.file, request.document, progress)); },
+                [&](std::string message) { answer({.picture = std::move(message)}); });
+    });
+}
+
+void Effects::one(const MeasureDepth& request) {
+    depths_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto& grammar = request.document.resolved;
+        DeriveOptions derive = request.document.derive;
+        derive.depth = -1;
+        derive.max_seconds = seconds_to_measure;
+        guarded([&] { post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}}); },
+                [&](const std::string&) {
+                    post(RulesAction{DepthMeasured{grammar, -1}});
+                });
+    });
+}
+
 void Effects::one(const LightRule& request) {
     lights_.start([request](const Progress& progress, const Worker::Post& post) {
         guarded(
@@ -135,6 +192,27 @@ void Effects::one(const StopAnalysis&) { analyses_.stop(); }
 void Effects::one(const TabulateClusters& request) { clusters_.start(clusters_job(request, prepared_)); }
 
 void Effects::one(const MapElements& request) { maps_.start(mapping_job(request)); }
+
+void Effects::one(const RunTool& request) {
+    const auto use = [request](const Worker::Post& post) {
+        guarded([&] { post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}}); },
+                [&](std::string message) { post(ToolsAction{ToolFailed{request.job, std::move(message)}}); });
+    };
+    if (request.at_once) {
+        use([this](Action action) { answers_.post(std::move(action)); });
+    } else {
+        tools_.start([use](const Progress&, const Worker::Post& post) { use(post); });
+    }
+}
+
+void Effects::one(const ReadReplacement& request) {
+    files_.start([request](const Progress&, const Worker::Post& post) {
+        guarded([&] { post(read_tool_replacement(request)); },
+                [&](std::string message) {
+                    post(ToolsAction{ReplacementFailed{request.with, std::move(message)}});
+                });
+    });
+}
 
 void Effects::one(const CloseWindow&) { closing_ = true; }
 

@@ -1,11 +1,13 @@
 #pragma once
 // Fulfils what update() asks for.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
 #include "editor/effects/action_queue.h"
 #include "editor/effects/analysis_cache.h"
+#include "editor/effects/errands.h"
 #include "editor/effects/worker.h"
 #include "editor/model/request.h"
 
@@ -28,23 +30,40 @@ class Effects {
     void one(const FindSelection& request);
     void one(const LightRule& request);
     void one(const DeriveBefore& request);
+    void one(const CheckText& request);
+    void one(const MeasureDepth& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const TabulateClusters& request);
     void one(const MapElements& request);
+    void one(const RunTool& request);
+    void one(const ReadReplacement& request);
     void one(const CloseWindow& request);
+    void one(const StopExport& request);
+    void one(const HoldFile& request);
+    void one(const ListFolder& request);
+    void one(const MakeFolder& request);
+    void one(const LookAtPath& request);
+    void answer_folder(const std::function<FolderListed()>& list);
 
     ActionQueue& answers_;
-    Worker files_;
-    Worker pictures_;
-    Worker selections_;
-    Worker lights_;
-    Worker befores_;
+    Worker::Post post_;  ///< to the answers, from any thread
+    Worker files_{post_};
+    Worker pictures_{post_};
+    Worker selections_{post_};
+    Worker lights_{post_};
+    Worker befores_{post_};
+    Worker texts_{post_};
+    Worker depths_{post_};
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
-    Worker analyses_;
-    Worker clusters_;
-    Worker maps_;
+    Worker analyses_{post_};
+    Worker clusters_{post_};
+    Worker maps_{post_};
+    Worker tools_{post_};
     bool closing_ = false;
+    std::shared_ptr<std::atomic<bool>> export_stopped_;  ///< of the last export
+    Errands looks_;                                      ///< at folders
+    Errands writes_;  ///< last: waits for what is to be written while all else is still there
 };
 
 }  // namespace rinceau

@@ -6,6 +6,7 @@
 
 #include "editor/model/analysis_actions.h"
 #include "editor/model/canvas_actions.h"
+#include "editor/model/dialog_actions.h"
 #include "editor/model/file_actions.h"
 #include "editor/model/rules_actions.h"
 #include "editor/model/shell_actions.h"
@@ -13,7 +14,7 @@
 
 namespace rinceau {
 
-using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction>;
+using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction, DialogAction>;
 using Actions = std::vector<Action>;
 
 }  // namespace rinceau

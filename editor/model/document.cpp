@@ -48,6 +48,11 @@ bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b) {
     return values(a) == values(b);
 }
 
+bool same_version(const Document& a, const Document& b) {
+    return a.grammar == b.grammar && a.drawing == b.drawing && a.used == b.used && same_analysis(a.analysis, b.analysis) &&
+           same_derivation(a.derive, b.derive) && a.locked == b.locked;
+}
+
 bool same_document(const Document& a, const Document& b) {
     const bool same_grammar = a.grammar == b.grammar || to_text(*a.grammar) == to_text(*b.grammar);
     return same_grammar && a.drawing == b.drawing && a.used == b.used && a.report == b.report &&

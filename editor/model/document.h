@@ -40,6 +40,9 @@ bool rules_were_edited(const Document& document);
 /// All but the number of threads, which changes nothing.
 bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b);
 
+/// The same versions of grammar and drawing, and equal options and locks: quick, for every frame.
+bool same_version(const Document& a, const Document& b);
+
 /// The same content: grammars and options compare by what they say, drawings and reports by identity.
 bool same_document(const Document& a, const Document& b);
 

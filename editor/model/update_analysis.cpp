@@ -57,7 +57,8 @@ void take_as_opened(Update& update, Document after) {
     EditorState& state = update.state;
     state.document = std::move(after);
     state.preview.reset();
-    state.file.saved_grammar = state.document.grammar;
+    state.file.awaits_rules = false;
+    state.file.saved = state.document;
     show_anew(update);
 }
 
@@ -68,7 +69,7 @@ bool found_the_same(const Document& before, const Document& after) {
 void take_over(Update& update, Document after) {
     EditorState& state = update.state;
     const Document& before = state.document;
-    const bool first = !before.report && !rules_were_edited(before) && state.history.past.empty();
+    const bool first = state.file.awaits_rules && !rules_were_edited(before) && state.history.past.empty();
     if (!first && found_the_same(before, after)) {
         tell(update, MessageKind::note, "The analysis finds the same rules again");
         show_document(update);
