@@ -24,11 +24,4 @@ void apply_preferences(EditorState& state, const Preferences& preferences) {
     state.file.last_folder = preferences.last_folder;
 }
 
-bool wants_tick(const EditorState& state) {
-    const RecoveryState& recovery = state.recovery;
-    const bool kept = recovery.kept && same_version(*recovery.kept, state.document);
-    const bool copy = has_unsaved_changes(state) ? !kept : recovery.kept.has_value();
-    return copy || recovery.writing || current_preferences(state) != recovery.written;
-}
-
 }  // namespace rinceau
