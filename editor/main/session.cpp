@@ -20,6 +20,7 @@
 #include "editor/main/screen.h"
 #include "editor/main/window.h"
 #include "editor/model/command.h"
+#include "editor/model/state_preferences.h"
 #include "editor/model/update.h"
 #include "editor/panels/frame_timing.h"
 #include "editor/panels/panel.h"
@@ -127,8 +128,13 @@ class Session {
         }
         const double frame_due = glfwGetTime() + seconds_to_next_frame();
         for (bool due = false; !due;) {
-            const double seconds = std::min(frame_due - glfwGetTime(), seconds_a_tick);
-            if (seconds > 0) glfwWaitEventsTimeout(seconds);
+            const double to_frame = frame_due - glfwGetTime();
+            const double seconds = wants_tick(state_) ? std::min(to_frame, seconds_a_tick) : to_frame;
+            if (std::isfinite(seconds)) {
+                if (seconds > 0) glfwWaitEventsTimeout(seconds);
+            } else {
+                glfwWaitEvents();
+            }
             const bool ticked = tick();
             const bool answered = take_answers();
             due = window_.had_input() || ticked || answered || glfwGetTime() >= frame_due;
