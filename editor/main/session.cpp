@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "editor/effects/effects.h"
+#include "editor/main/canvas_emphasis.h"
 #include "editor/gl/picture_renderer.h"
 #include "editor/main/offscreen_frame.h"
 #include "editor/main/window.h"
@@ -91,7 +92,7 @@ class Session {
         PanelTools tools;
         const DisplayScale display = offscreen_ ? DisplayScale{} : window_.display_scale();
         tools.scale = options_.scale > 0 ? options_.scale : display.widgets;
-        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view);
+        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis_of(state_.canvas));
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
         const Actions actions = editor_window(state_, tools);
