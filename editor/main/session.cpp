@@ -16,6 +16,7 @@
 #include "editor/effects/kept_preferences.h"
 #include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
+#include "editor/main/canvas_emphasis.h"
 #include "editor/main/keyboard.h"
 #include "editor/main/screen.h"
 #include "editor/main/window.h"
@@ -38,13 +39,6 @@ constexpr int done = 0;
 constexpr int input_at_fault = 1;
 constexpr int output_not_written = 4;
 }  // namespace status
-
-PictureEmphasis emphasis(const CanvasState& canvas) {
-    PictureEmphasis emphasis{.lit = canvas.lit, .outlined = canvas.outlined, .before = canvas.before};
-    if (canvas.onion == OnionMode::before_and_after) emphasis.comparison = PictureComparison::onion;
-    if (canvas.onion == OnionMode::difference) emphasis.comparison = PictureComparison::difference;
-    return emphasis;
-}
 
 Color colour_of(const ImVec4& colour) {
     const auto byte = [](float part) { return static_cast<std::uint8_t>(std::lround(255 * part)); };
@@ -174,7 +168,7 @@ class Session {
         PanelTools tools;
         tools.scale = screen_.scale();
         tools.fonts = screen_.fonts();
-        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis(state_.canvas),
+        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis_of(state_.canvas),
                                               {.surround = surround(state_.shell.dark)});
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
