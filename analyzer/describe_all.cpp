@@ -97,9 +97,9 @@ class Describer {
     }
 
     void describe_from_below(const Opening& below, std::size_t way, const Progress& told) {
-        const Progress until_settled = [&](std::string_view at, double fraction) {
+        const Progress until_settled = [&](std::string_view now, double fraction) {
             if (settled_) throw Settled{};
-            report(told, at, fraction);
+            report(told, now, fraction);
         };
         if (settled_) return;
         from_below_[way] = described(below, way, until_settled);

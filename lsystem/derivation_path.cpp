@@ -250,7 +250,7 @@ PathFinder passed(const CompiledGrammar& compiled, const ElementQuery& element, 
                   const Progress& progress) {
     PathFinder finder(compiled, element, way_only);
     try {
-        stream_modules(compiled, options, progress, true, finder);
+        stream_modules(compiled, options, progress, !way_only, finder);
     } catch (const PathKnown&) {
     }
     return finder;

@@ -1,10 +1,11 @@
 #include "editor/effects/effects.h"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "analyzer/analyze.h"
+#include "editor/effects/analysis_jobs.h"
+#include "editor/effects/guarded.h"
 #include "editor/effects/progress_posts.h"
 #include "editor/effects/read_tool_replacement.h"
 #include "lsystem/derivation_facts.h"
@@ -20,17 +21,6 @@ constexpr std::uint64_t modules_at_once = 1'000'000;
 constexpr double seconds_to_measure = 3;
 /// In a picture with no more elements a selection is found between two frames.
 constexpr std::size_t elements_at_once = 20'000;
-
-/// Runs the work; what it throws is told by `fail`. JobCancelled passes.
-void guarded(const std::function<void()>& work, const std::function<void(std::string)>& fail) {
-    try {
-        work();
-    } catch (const std::bad_alloc&) {
-        fail("The memory does not suffice");
-    } catch (const std::exception& error) {
-        fail(error.what());
-    }
-}
 
 }  // namespace
 
@@ -107,27 +97,36 @@ void Effects::one(const MeasureDepth& request) {
     });
 }
 
-void Effects::one(const RunAnalysis& request) {
-    analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
-        ProgressPosts posts;
-        const Progress told = [&](std::string_view stage, double fraction) {
-            progress(stage, fraction);
-            if (posts.worth(stage, std::chrono::steady_clock::now()))
-                post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
-        };
+void Effects::one(const LightRule& request) {
+    lights_.start([request](const Progress& progress, const Worker::Post& post) {
         guarded(
             [&] {
-                const auto kept = cache->prepared(request.drawing, request.options, told);
-                auto found = std::make_shared<const Analysis>(analyze(kept->prepared, request.options, told));
-                post(AnalysisAction{AnalysisDone{request.job, std::move(found)}});
+                LitItems lit = lit_by_rule(request.document, request.production, progress);
+                post(CanvasAction{RuleLit{request.revision, request.production, std::move(lit)}});
             },
-            [&](std::string message) {
-                post(AnalysisAction{AnalysisFailed{request.job, std::move(message)}});
-            });
+            [](const std::string&) {});  // what has no picture has nothing to light
     });
 }
 
+void Effects::one(const DeriveBefore& request) {
+    befores_.start([document = request.document](const Progress& progress, const Worker::Post& post) {
+        guarded(
+            [&] {
+                DerivedPicture picture =
+                    document.drawing ? drawing_picture(*document.drawing) : derive_picture(document, progress);
+                post(CanvasAction{BeforeDerived{std::make_shared<const DerivedPicture>(std::move(picture))}});
+            },
+            [](const std::string&) {});  // a document that was open has had a picture
+    });
+}
+
+void Effects::one(const RunAnalysis& request) { analyses_.start(analysis_job(request, prepared_)); }
+
 void Effects::one(const StopAnalysis&) { analyses_.stop(); }
+
+void Effects::one(const TabulateClusters& request) { clusters_.start(clusters_job(request, prepared_)); }
+
+void Effects::one(const MapElements& request) { maps_.start(mapping_job(request)); }
 
 void Effects::one(const RunTool& request) {
     const auto use = [request](const Worker::Post& post) {
@@ -142,7 +141,7 @@ void Effects::one(const RunTool& request) {
 }
 
 void Effects::one(const ReadReplacement& request) {
-    files_.start([request](const Progress&, const Worker::Post& post) {
+    replacements_.start([request](const Progress&, const Worker::Post& post) {
         guarded([&] { post(read_tool_replacement(request)); },
                 [&](std::string message) {
                     post(ToolsAction{ReplacementFailed{request.with, std::move(message)}});

@@ -27,21 +27,30 @@ class Effects {
     void one(const FindSelection& request);
     void one(const CheckText& request);
     void one(const MeasureDepth& request);
+    void one(const LightRule& request);
+    void one(const DeriveBefore& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
     void one(const RunTool& request);
     void one(const ReadReplacement& request);
+    void one(const TabulateClusters& request);
+    void one(const MapElements& request);
     void one(const CloseWindow& request);
 
     ActionQueue& answers_;
     Worker::Post post_;  ///< to the answers, from any thread
+    Worker replacements_{post_};
     Worker pictures_{post_};
     Worker selections_{post_};
     Worker texts_{post_};
     Worker depths_{post_};
+    Worker lights_{post_};
+    Worker befores_{post_};
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
     Worker analyses_{post_};
     Worker tools_{post_};
+    Worker clusters_{post_};
+    Worker maps_{post_};
     bool closing_ = false;
     FileEffects files_;  ///< last: waits for what is to be written while all else is still there
 };

@@ -10,6 +10,7 @@
 
 #include "editor/effects/folders.h"
 #include "editor/effects/kept_preferences.h"
+#include "editor/effects/list_samples.h"
 #include "editor/effects/progress_posts.h"
 #include "editor/effects/read_document.h"
 #include "editor/effects/state_folders.h"

@@ -48,8 +48,8 @@ class Session {
           state_(initial_state()),
           answers_(glfwPostEmptyEvent),
           effects_(answers_, folders_of(options)) {
-        if (options.screenshot.empty()) begin_keeping();
         listen();
+        if (options.screenshot.empty()) begin_keeping();
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
     void run() {
@@ -74,8 +74,8 @@ class Session {
     }
 
   private:
-    static constexpr double seconds_a_tick = 1;
     static constexpr int frames_of_input = 2;  // ImGui shows the effect of an input one frame later
+    static constexpr double seconds_a_tick = 1;
 
     /// A screenshot shows the file alone, whatever was done before.
     static KeptFolders folders_of(const EditorOptions& options) {
@@ -110,7 +110,8 @@ class Session {
             glfwPollEvents();
             return;
         }
-        const double seconds = wants_tick(state_) ? std::min(seconds_a_tick, seconds_to_next_frame()) : seconds_to_next_frame();
+        const double seconds =
+            wants_tick(state_) ? std::min(seconds_a_tick, seconds_to_next_frame()) : seconds_to_next_frame();
         if (std::isfinite(seconds)) {
             glfwWaitEventsTimeout(seconds);
         } else {
@@ -186,8 +187,8 @@ class Session {
     PictureRenderer renderer_;
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
-    double last_tick_ = 0;
     std::string title_;
+    double last_tick_ = 0;
 };
 
 int take_screenshot(Window& window, const EditorOptions& options) {

@@ -7,6 +7,7 @@
 
 #include "editor/model/derived_picture.h"
 #include "editor/model/find_selection.h"
+#include "editor/model/lit_items.h"
 #include "geometry/point.h"
 
 namespace rinceau {
@@ -47,7 +48,46 @@ struct SelectLevel {
 struct StepSelection {
     int levels = 0;  ///< > 0: down
 };
+/// What comes after, or before, what is selected in order of derivation, at the same level if it has it.
+struct SelectNeighbour {
+    bool next = true;
+};
 struct ClearSelection {};
+
+/// The element under the mouse, if any, is marked.
+struct HoverCanvas {
+    Point at;          ///< scene
+    double reach = 0;  ///< scene units
+};
+struct LeaveCanvas {};
+/// All that a rule draws is lit, the rest fades: a production of the document's grammar, -1 = the axiom.
+struct HoverRule {
+    int production = no_production;
+};
+/// All elements of a terminal of the resolved grammar are lit; -1 = none.
+struct HoverTerminal {
+    int terminal = -1;
+};
+/// These elements are lit, by order of derivation; null = none.
+struct HoverItems {
+    LitItems lit;
+};
+struct RuleLit {
+    std::uint64_t revision = 0;
+    int production = no_production;
+    LitItems lit;
+};
+
+/// The drawing as it was opened beside what it is now.
+struct ShowOnion {
+    OnionMode mode = OnionMode::off;
+};
+struct BeforeDerived {
+    std::shared_ptr<const DerivedPicture> picture;
+};
+
+struct ZoomToSelection {};
+struct ActualSize {};  ///< a unit of the scene becomes a pixel of a display of scale 1
 
 /// One of CanvasState::handles is taken hold of, dragged, let go. What it changes is previewed and recorded once.
 struct GrabHandle {
@@ -62,7 +102,9 @@ struct ReleaseHandle {};
 struct DropHandle {};  ///< all is as before it was grabbed
 
 using CanvasAction = std::variant<ResizeCanvas, FitView, ZoomView, PanView, PictureDerived, PictureFailed, ClickCanvas,
-                                  SelectLevel, StepSelection, ClearSelection, SelectionFound, GrabHandle, DragHandle,
+                                  SelectLevel, StepSelection, SelectNeighbour, ClearSelection, SelectionFound, HoverCanvas,
+                                  LeaveCanvas, HoverRule, HoverTerminal, HoverItems, RuleLit, ShowOnion, BeforeDerived,
+                                  ZoomToSelection, ActualSize, GrabHandle, DragHandle,
                                   ReleaseHandle, DropHandle>;
 
 }  // namespace rinceau

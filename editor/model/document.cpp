@@ -37,7 +37,7 @@ Document with_grammar(const Document& document, Grammar grammar) {
     return changed;
 }
 
-bool rules_were_edited(const Document& document) { return document.found && document.grammar != document.found; }
+bool rules_were_edited(const Document& document) { return document.origin && document.grammar != document.origin; }
 
 bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b) {
     const auto values = [](const AnalyzeOptions& o) {

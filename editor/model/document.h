@@ -22,7 +22,6 @@ struct Document {
     std::shared_ptr<const Grammar> resolved;       ///< for drawing: with all that it uses; never null
     std::shared_ptr<const UsedFiles> used;         ///< null if it uses none
     std::shared_ptr<const AnalysisReport> report;  ///< of the analysis that found the grammar; null if none did
-    std::shared_ptr<const Grammar> found;          ///< as the analysis, or the reading of the drawing, gave it; may be null
     AnalyzeOptions analysis;                       ///< with which the drawing was, and will be, analysed
     DeriveOptions derive;                          ///< depth and seed that are looked at
     std::set<std::string> locked;                  ///< names of numbers (lsystem/numbers.h) that edits leave alone
@@ -35,7 +34,7 @@ Document empty_document();
 /// The document with another grammar. Throws as resolve_uses().
 Document with_grammar(const Document& document, Grammar grammar);
 
-/// Was the grammar edited since the analysis, or the reading of the drawing, gave it?
+/// Was the grammar edited since it was opened or found by an analysis?
 bool rules_were_edited(const Document& document);
 
 /// All but the number of threads, which changes nothing.

@@ -9,6 +9,7 @@
 
 #include "editor/model/analysis_state.h"
 #include "editor/model/canvas_state.h"
+#include "editor/model/clusters_state.h"
 #include "editor/model/derived_picture.h"
 #include "editor/model/dialog_state.h"
 #include "editor/model/document.h"
@@ -47,6 +48,7 @@ struct EditorState {
     ToolsState tools;
     CanvasState canvas;
     AnalysisState analysis;
+    ClustersState clusters;
     ShellState shell;
     std::vector<EditorMessage> messages;  ///< oldest first
 };

@@ -9,7 +9,7 @@ SelectionFound find_selection(const SelectionSearch& search, const Progress& pro
     SelectionFound found{search.revision, {}, {}};
     try {
         if (search.clicked >= 0) {
-            found.selection = selection_of_click(search.document, search.clicked, search.before, progress);
+            found.selection = selection_of_click(search.document, search.clicked, search.before, search.level, progress);
         } else if (search.before) {
             found.selection = selection_after_edit(search.document, *search.before, progress);
         }

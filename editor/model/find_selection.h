@@ -17,7 +17,8 @@ struct SelectionSearch {
     std::shared_ptr<const DerivedPicture> picture;
     std::optional<Selection> before;
     int clicked = -1;      ///< order of the element; -1 = none was: the selection follows an edit
-    bool handles = true;   ///< are wanted
+    std::size_t level = deepest_level;  ///< wanted of an element that was not selected
+    bool handles = true;                ///< are wanted
 };
 
 struct SelectionFound {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analyzer/analyze.h"
+#include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
@@ -90,6 +91,16 @@ struct DerivePicture {
 struct FindSelection {
     SelectionSearch search;
 };
+/// Answered by RuleLit; a later one takes its place.
+struct LightRule {
+    std::uint64_t revision = 0;
+    Document document;
+    int production = -1;
+};
+/// The picture of the drawing, or else of the grammar. Answered by BeforeDerived, or PictureFailed.
+struct DeriveBefore {
+    Document document;
+};
 /// Answered by TextChecked.
 struct CheckText {
     std::uint64_t revision = 0;
@@ -109,6 +120,17 @@ struct RunAnalysis {
 };
 /// Not answered.
 struct StopAnalysis {};
+/// Answered by ClustersFound or ClustersFailed; a later one takes its place.
+struct TabulateClusters {
+    std::uint64_t job = 0;
+    std::shared_ptr<const Scene> drawing;
+    AnalyzeOptions options;
+};
+/// Answered by ElementsMapped; a later one takes its place.
+struct MapElements {
+    std::shared_ptr<const DerivedPicture> picture;
+    std::shared_ptr<const Scene> drawing;
+};
 /// Answered by ToolDone or ToolFailed.
 struct RunTool {
     std::uint64_t job = 0;
@@ -133,8 +155,12 @@ using Request = std::variant<
     FindSelection,
     CheckText,
     MeasureDepth,
+    LightRule,
+    DeriveBefore,
     RunAnalysis,
     StopAnalysis,
+    TabulateClusters,
+    MapElements,
     RunTool,
     ReadReplacement,
     CloseWindow,

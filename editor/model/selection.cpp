@@ -19,10 +19,12 @@ std::size_t level_above(const std::vector<PathModule>& path, std::size_t level) 
     return level;
 }
 
-std::optional<Selection> selection_of(const Document& document, const ElementQuery& element, const Progress& progress) {
+std::optional<Selection> selection_of(const Document& document, const ElementQuery& element, const Progress& progress,
+                                      std::size_t level = deepest_level) {
     Selection selection{derivation_path(*document.resolved, element, document.derive, progress), 0};
     if (selection.path.empty()) return std::nullopt;
-    selection.level = selection.path.size() - 1;
+    selection.level = std::min(level, selection.path.size() - 1);
+    if (is_stand_in(selection.path, selection.level)) ++selection.level;
     return selection;
 }
 
@@ -78,9 +80,9 @@ std::string level_counts(const Selection& selection, std::size_t level) {
 }
 
 std::optional<Selection> selection_of_click(const Document& document, int order, const std::optional<Selection>& before,
-                                            const Progress& progress) {
+                                            std::size_t level, const Progress& progress) {
     if (!before || selected_element(*before) != order || before->level == 0)
-        return selection_of(document, {order, {}}, progress);
+        return selection_of(document, {order, {}}, progress, level);
     Selection selection = *before;
     selection.level = level_above(selection.path, selection.level);
     return selection;

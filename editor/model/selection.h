@@ -10,6 +10,8 @@
 
 namespace rinceau {
 
+constexpr std::size_t deepest_level = static_cast<std::size_t>(-1);
+
 struct Selection {
     std::vector<PathModule> path;  ///< from the axiom (first) to the element (last); never empty
     std::size_t level = 0;         ///< the selected one of the path
@@ -34,10 +36,11 @@ std::string level_label(const PathModule& module);
 std::string level_counts(const Selection& selection, std::size_t level);
 
 /// The element of that order is selected, at the deepest level; if it was the one that was clicked before, the level above is,
-/// and after the axiom the element again. Nothing if there is no such element. Throws as
+/// and after the axiom the element again. An element that was not selected is so at `level`, if its path is so long. Nothing if there is no such element. Throws as
 /// interpret().
 std::optional<Selection> selection_of_click(const Document& document, int order,
-                                            const std::optional<Selection>& before, const Progress& progress = {});
+                                            const std::optional<Selection>& before,
+                                            std::size_t level = deepest_level, const Progress& progress = {});
 
 /// The same selection in another version of the document, found by its addresses; nothing if it is gone. Throws as
 /// interpret().

@@ -34,11 +34,11 @@ std::string tool_label(const ToolEdit& edit) {
 }
 
 ToolResult use_tool(const Document& document, const ToolEdit& edit) {
-    EditResult result = keep_locked(
-        *document.grammar, std::visit([&](const auto& one) { return edited(document, one); }, edit), document.locked);
+    EditResult result = std::visit([&](const auto& one) { return edited(document, one); }, edit);
     CheckEditOptions options;
     options.derive = document.derive;
     options.for_drawing = [&](const Grammar& grammar) { return *with_grammar(document, grammar).resolved; };
+    result = keep_locked(*document.grammar, std::move(result), document.locked);
     result = checked_edit(*document.grammar, std::move(result), options);
     const Document after = with_grammar(document, std::move(result.grammar));
     return {after.grammar, after.resolved, std::move(result.changes)};

@@ -93,12 +93,8 @@ void preview_grammar(Update& update, const std::string& label, const std::functi
 }
 
 void drop_preview(Update& update) {
-    EditorState& state = update.state;
-    if (shows_tool_preview(state)) state.tools.settings.noise = {};  // what is not wanted is not set, either
-    state.tools.dropped = true;
-    state.tools.waiting.reset();
-    if (!state.preview) return;
-    state.preview.reset();
+    if (!update.state.preview) return;
+    update.state.preview.reset();
     show_anew(update);
 }
 
@@ -106,12 +102,13 @@ void replace_document(Update& update, Document document) {
     EditorState& state = update.state;
     state.document = std::move(document);
     if (!state.document.origin) state.document.origin = state.document.grammar;
-    if (state.document.drawing && !state.document.found) state.document.found = state.document.grammar;
     state.history = {};
     state.preview.reset();
     forget_analysis(update);
     state.canvas.fit_pending = true;
     state.canvas.drag.reset();
+    state.canvas.onion = OnionMode::off;
+    state.canvas.before.reset();
     perform(update, CanvasAction{ClearSelection{}});
     show_anew(update);
 }

@@ -38,6 +38,7 @@ void perform_one(Update& update, const PictureDerived& action) {
     state.picture_revision = action.revision;
     state.picture_mistake.clear();
     fit_if_pending(state);
+    follow_hover(update);
     follow_selection(update);
 }
 
@@ -56,6 +57,8 @@ void perform(Update& update, const CanvasAction& action) {
         [&]<class Known>(const Known& known) {
             if constexpr (IsHere<Known>) {
                 perform_one(update, known);
+            } else if constexpr (requires { show_on_canvas(update, known); }) {
+                show_on_canvas(update, known);
             } else if constexpr (requires { select_on_canvas(update, known); }) {
                 select_on_canvas(update, known);
             } else {

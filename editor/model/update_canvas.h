@@ -5,10 +5,28 @@
 
 namespace rinceau {
 
+// update_canvas_view.cpp
+void show_on_canvas(Update& update, const ShowOnion& action);
+void show_on_canvas(Update& update, const BeforeDerived& action);
+void show_on_canvas(Update& update, const ZoomToSelection& action);
+void show_on_canvas(Update& update, const ActualSize& action);
+
+// update_canvas_hover.cpp
+void show_on_canvas(Update& update, const HoverCanvas& action);
+void show_on_canvas(Update& update, const LeaveCanvas& action);
+void show_on_canvas(Update& update, const HoverRule& action);
+void show_on_canvas(Update& update, const HoverTerminal& action);
+void show_on_canvas(Update& update, const HoverItems& action);
+void show_on_canvas(Update& update, const RuleLit& action);
+
+/// There is another picture: what is hovered is lit in it.
+void follow_hover(Update& update);
+
 // update_canvas_selection.cpp
 void select_on_canvas(Update& update, const ClickCanvas& action);
 void select_on_canvas(Update& update, const SelectLevel& action);
 void select_on_canvas(Update& update, const StepSelection& action);
+void select_on_canvas(Update& update, const SelectNeighbour& action);
 void select_on_canvas(Update& update, const ClearSelection& action);
 void select_on_canvas(Update& update, const SelectionFound& action);
 

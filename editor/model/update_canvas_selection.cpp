@@ -2,32 +2,20 @@
 
 #include <algorithm>
 
-#include "editor/model/picture_boxes.h"
+#include "editor/model/elements_at.h"
 #include "editor/model/update_canvas.h"
 
 namespace rinceau {
 namespace {
 
-/// Orders of the elements whose box the point is in, the uppermost first.
-std::vector<int> elements_at(const DerivedPicture& picture, Point at, double reach) {
-    const PictureBoxes boxes(picture);
-    std::vector<int> found;
-    for (auto item = picture.items.rbegin(); item != picture.items.rend(); ++item) {
-        const Box& box = boxes.own_box(item->order);
-        if (is_empty(box)) continue;
-        const Point own = apply(inverse(item->pose), at);
-        const Box reached = grown(box, reach / scale_of(item->pose));
-        if (contains(reached, Box{own, own})) found.push_back(item->order);
-    }
-    return found;
-}
+constexpr std::size_t most_below = 100;  ///< elements of a heap that are clicked through
 
-void search(Update& update, int clicked) {
+void search(Update& update, int clicked, std::size_t level = deepest_level) {
     EditorState& state = update.state;
     if (!state.picture) return;
     const CanvasState& canvas = state.canvas;
     update.requests.push_back(FindSelection{{state.picture_revision, shown_document(state), state.picture,
-                                             canvas.drag ? canvas.drag->before : canvas.selection, clicked,
+                                             canvas.drag ? canvas.drag->before : canvas.selection, clicked, level,
                                              !canvas.drag.has_value()}});
 }
 
@@ -42,7 +30,7 @@ void select_level(Update& update, std::size_t level) {
 void select_on_canvas(Update& update, const ClickCanvas& action) {
     const EditorState& state = update.state;
     if (!state.picture || state.canvas.drag) return;
-    const std::vector<int> found = elements_at(*state.picture, action.at, action.reach);
+    const std::vector<int> found = elements_at(*state.picture, action.at, action.reach, most_below);
     if (found.empty()) {
         select_on_canvas(update, ClearSelection{});
         return;
@@ -72,15 +60,36 @@ void select_on_canvas(Update& update, const StepSelection& action) {
     select_level(update, levels[static_cast<std::size_t>(wanted)]);
 }
 
+void select_on_canvas(Update& update, const SelectNeighbour& action) {
+    const EditorState& state = update.state;
+    if (!state.picture || state.picture->items.empty() || state.canvas.drag) return;
+    if (!state.canvas.selection) {
+        search(update, 0);
+        return;
+    }
+    const PathModule& here = selected_module(*state.canvas.selection);
+    const auto elements = static_cast<int>(state.picture->items.size());
+    const int wanted = action.next ? here.last : here.first - 1;
+    search(update, (wanted + elements) % elements, state.canvas.selection->level);
+}
+
 void select_on_canvas(Update& update, const ClearSelection&) {
-    update.state.canvas.selection.reset();
-    update.state.canvas.handles.clear();
+    CanvasState& canvas = update.state.canvas;
+    canvas.selection.reset();
+    canvas.handles.clear();
+    canvas.outlined.reset();
 }
 
 void select_on_canvas(Update& update, const SelectionFound& action) {
     EditorState& state = update.state;
     if (action.revision != state.picture_revision) return;
+    if (!action.selection) {
+        select_on_canvas(update, ClearSelection{});
+        return;
+    }
     state.canvas.selection = action.selection;
+    const PathModule& module = selected_module(*action.selection);
+    state.canvas.outlined = lit_range(state.picture->items.size(), module.first, module.last);
     if (!state.canvas.drag) state.canvas.handles = action.handles;
 }
 

@@ -48,6 +48,9 @@ bool edit_grammar(Update& update, const std::string& label, const std::function<
 /// The same as a preview of what the document would be; what goes wrong is not told while the mouse moves.
 void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit);
 
+/// What a tool previews, or is about to, is not wanted any more.
+void drop_tool(EditorState& state);
+
 /// What the panel of rules says is of the grammars that are shown now.
 void refresh_rules(Update& update);
 /// What was found while something else was dragged becomes the document's grammar as soon as nothing is.

@@ -16,6 +16,7 @@ void perform_one(Update& update, const CommitPreview&) {
 
 void perform_one(Update& update, const DropPreview&) {
     drop_tried_analysis(update);
+    drop_tool(update.state);
     if (update.state.rules.dragged) update.state.rules.dragged->dropped = true;
     drop_preview(update);
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "editor/model/tool_view.h"
+#include "editor/model/update_rules.h"
 #include "editor/model/update_tools.h"
 
 namespace rinceau {
@@ -113,6 +114,12 @@ void perform_one(Update& update, const ToolFailed& action) {
 }
 
 }  // namespace
+
+void drop_tool(EditorState& state) {
+    if (shows_tool_preview(state)) state.tools.settings.noise = {};  // what is not wanted is not set, either
+    state.tools.dropped = true;
+    state.tools.waiting.reset();
+}
 
 void ask_for_tool(Update& update, std::shared_ptr<const ToolEdit> edit, bool preview) {
     ToolRun run{std::move(edit), preview};

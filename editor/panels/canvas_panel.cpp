@@ -36,12 +36,20 @@ void drag_handle(Actions& actions, const EditorState& state, const CanvasPlace& 
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) actions.push_back(CanvasAction{ReleaseHandle{}});
 }
 
+double reach(const PanelTools& tools, const CanvasPlace& place) { return click_reach * tools.scale / place.view.zoom; }
+
+void hover(Actions& actions, const EditorState& state, const PanelTools& tools, const CanvasPlace& place) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
+    if (state.picture) actions.push_back(CanvasAction{HoverCanvas{from_window(place, io.MousePos), reach(tools, place)}});
+}
+
 void click(Actions& actions, const PanelTools& tools, const CanvasPlace& place) {
     const ImGuiIO& io = ImGui::GetIO();
     const float still = still_a_click * tools.scale;
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || io.MouseDragMaxDistanceSqr[0] > still * still) return;
-    const Point at = from_window(place, io.MousePos);
-    actions.push_back(CanvasAction{ClickCanvas{at, click_reach * tools.scale / place.view.zoom, io.KeyAlt}});
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
+    actions.push_back(CanvasAction{ClickCanvas{from_window(place, io.MousePos), reach(tools, place), io.KeyAlt}});
 }
 
 }  // namespace
@@ -61,7 +69,10 @@ Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
         drag_handle(actions, state, place);
         return actions;
     }
-    if (!hovered) return actions;
+    if (!hovered) {
+        if (state.canvas.hovered_item >= 0) actions.push_back(CanvasAction{LeaveCanvas{}});
+        return actions;
+    }
     zoom_and_pan(actions, place, tools);
     pan_by_drag(actions, state);
     const int handle = handle_at(state, tools, place, ImGui::GetIO().MousePos);
@@ -70,6 +81,7 @@ Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
         actions.push_back(CanvasAction{GrabHandle{static_cast<std::size_t>(handle), at}});
         return actions;
     }
+    hover(actions, state, tools, place);
     click(actions, tools, place);
     return actions;
 }

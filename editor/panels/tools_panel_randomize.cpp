@@ -86,8 +86,9 @@ void single_numbers(const EditorState& state, const PanelTools& tools, Randomize
     const bool open = ImGui::TreeNode("Single numbers");
     note_place(tools, "tools/Single numbers");
     if (!open) return;
-    const Grammar& grammar = *shown_document(state).grammar;
-    for (const GrammarNumber& number : grammar_numbers(grammar)) {
+    if (!state.rules.sheet) return ImGui::TreePop();
+    const Grammar& grammar = *state.rules.sheet->grammar;
+    for (const GrammarNumber& number : state.rules.sheet->numbers) {
         if (number.rank > NumberRank::axiom || !takes_noise(number)) continue;
         const auto set = noise.named.find(number.name);
         Noise shown = set != noise.named.end() ? set->second : noise_on(grammar, number).value_or(Noise{});
