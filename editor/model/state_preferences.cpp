@@ -5,9 +5,6 @@ namespace rinceau {
 Preferences current_preferences(const EditorState& state) {
     Preferences preferences = state.recovery.written;
     preferences.dark = state.shell.dark;
-    preferences.text_scale = state.shell.text_scale;
-    preferences.sizes = state.shell.sizes;
-    preferences.shown = state.shell.shown;
     preferences.recent = state.file.recent;
     preferences.last_folder = state.file.last_folder;
     return preferences;
@@ -17,9 +14,6 @@ void apply_preferences(EditorState& state, const Preferences& preferences) {
     state.recovery.written = preferences;
     state.recovery.interval = preferences.autosave_seconds;
     state.shell.dark = preferences.dark;
-    state.shell.text_scale = preferences.text_scale;
-    state.shell.sizes = preferences.sizes;
-    state.shell.shown = preferences.shown;
     state.file.recent = preferences.recent;
     state.file.last_folder = preferences.last_folder;
 }
