@@ -16,6 +16,7 @@
 #include "editor/effects/kept_preferences.h"
 #include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
+#include "editor/gl/thumbnails.h"
 #include "editor/main/canvas_emphasis.h"
 #include "editor/main/keyboard.h"
 #include "editor/main/screen.h"
@@ -86,6 +87,7 @@ class Session {
   private:
     static constexpr int frames_of_input = 2;  // ImGui shows the effect of an input one frame later
     static constexpr double seconds_a_tick = 1;
+    static constexpr float thumbnail_size = 48;  // pixels at scale 1
 
     /// A screenshot shows the file alone, whatever was done before.
     static KeptFolders folders_of(const EditorOptions& options) {
@@ -111,7 +113,9 @@ class Session {
             .drop = [this](std::string file) { act(FileAction{OpenFile{std::move(file)}}); },
         });
     }
-    bool wants_frame() const { return pending_frames_ > 0 || renderer_.refining() || keyboard_.is_waiting(); }
+    bool wants_frame() const {
+        return pending_frames_ > 0 || renderer_.refining() || thumbnails_.waiting() || keyboard_.is_waiting();
+    }
 
     /// For whatever comes first: input, an answer, or time for the next frame.
     void wait() {
@@ -170,6 +174,11 @@ class Session {
         tools.fonts = screen_.fonts();
         tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis_of(state_.canvas),
                                               {.surround = surround(state_.shell.dark)});
+        thumbnails_.begin_frame();
+        tools.thumbnail = [this](int look) {
+            const int pixels = static_cast<int>(std::lround(thumbnail_size * screen_.scale()));
+            return state_.picture ? thumbnails_.thumbnail(state_.picture, look, pixels).value_or(0) : 0U;
+        };
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
         const Actions actions = editor_window(state_, tools);
@@ -207,6 +216,7 @@ class Session {
     ActionQueue answers_;
     Effects effects_;
     PictureRenderer renderer_;
+    ThumbnailRenderer thumbnails_;
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
     std::string title_;
