@@ -60,17 +60,27 @@ Expression value_to_put_back(const Grammar& before, const GrammarNumber& number)
     return number_expression(number.value);
 }
 
+/// The places where a number is written as an expression; the name of its constant, too, which noise may stand beside.
+std::vector<ExpressionPlace> places_of(const GrammarNumber& number) {
+    std::vector<ExpressionPlace> places;
+    for (const NumberSlot& slot : number.slots)
+        if (slot.in == NumberSlot::In::expression) places.push_back(slot.place);
+    if (number.alias) places.push_back(*number.alias);
+    return places;
+}
+
 /// The edit's noise is taken from the expressions that locked numbers are written in.
 void remove_noise(const Grammar& before, Grammar& after, const NumbersByName& numbers, const NumbersByName& numbers_after,
                   std::set<std::string>& kept) {
     for (const auto& [name, number] : numbers) {
         const auto same = numbers_after.find(name);
-        if (same == numbers_after.end() || same->second.slots.size() != number.slots.size()) continue;
-        for (std::size_t i = 0; i < number.slots.size(); ++i) {
-            if (number.slots[i].in != NumberSlot::In::expression) continue;
-            if (same->second.slots[i].in != NumberSlot::In::expression) continue;
-            const Expression& then = expression_at(before, number.slots[i].place);
-            Expression& now = expression_at(after, same->second.slots[i].place);
+        if (same == numbers_after.end()) continue;
+        const std::vector<ExpressionPlace> places = places_of(number);
+        const std::vector<ExpressionPlace> places_now = places_of(same->second);
+        if (places.size() != places_now.size()) continue;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const Expression& then = expression_at(before, places[i]);
+            Expression& now = expression_at(after, places_now[i]);
             const Expression plain = without_noise(now);
             if (plain == now || now == then || plain != without_noise(then)) continue;
             now = then;

@@ -6,7 +6,8 @@ namespace rinceau {
 namespace {
 
 // Three squares of 40, 60 apart, in the middle of the canvas.
-constexpr const char* text = R"(canvas -60 -60 240 120
+constexpr const char* text = R"(lsystem 1
+canvas -60 -60 240 120
 
 axiom: Row(3)
 

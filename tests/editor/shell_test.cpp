@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "editor/model/places_json.h"
 #include "editor/model/update.h"
 #include "editor/model/window_layout.h"
 

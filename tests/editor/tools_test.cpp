@@ -163,7 +163,7 @@ TEST_CASE("rings, rows, groups, inlined rules and paints are recorded and undone
 TEST_CASE("locked numbers stay, whatever a tool does") {
     EditorState state = opened("facade.lsys");
     for (const GrammarNumber& number : grammar_numbers(*state.document.grammar))
-        if (number.kind == NumberKind::length) state.document.locked.insert(number.name);
+        state.document.locked.insert(number.name);
     state = acted(state, ToolsAction{use(RandomizeEdit{{.distance = 0.2}})});
     CHECK(state.history.past.empty());
     CHECK(state.messages.back().text.find("locked") != std::string::npos);
