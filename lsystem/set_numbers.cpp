@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include "lsystem/constant_values.h"
 #include "lsystem/keep_rings.h"
@@ -44,13 +46,15 @@ class NumberSetter {
     explicit NumberSetter(const Grammar& grammar) : grammar_(grammar) {}
 
     void apply(const NumberEdit& edit) {
-        const std::vector<GrammarNumber> numbers = grammar_numbers(grammar_);
+        std::vector<GrammarNumber> numbers = grammar_numbers(grammar_);
         for (const GrammarNumber* target : targets_of(edit.name, numbers)) set(*target, edit);
+        if (numbers_before_.empty()) numbers_before_ = std::move(numbers);
     }
     Grammar grammar_;
     std::vector<std::string> changes_;
     std::vector<std::string> set_names_;
     std::vector<NumberSlot> set_slots_;
+    std::vector<GrammarNumber> numbers_before_;  // of the first edit; empty without edits
 
   private:
     static std::vector<const GrammarNumber*> targets_of(const std::string& name, const std::vector<GrammarNumber>& numbers) {
@@ -143,15 +147,16 @@ class NumberSetter {
 };
 
 /// Numbers that have changed without being set: they are written by means of what was.
-void add_followers(const Grammar& before, const NumberSetter& setter, std::vector<std::string>& changes) {
+void add_followers(const NumberSetter& setter, std::vector<std::string>& changes) {
     constexpr std::size_t most_named = 6;
-    const std::vector<GrammarNumber> old = grammar_numbers(before);
+    std::unordered_map<std::string_view, double> old;
+    for (const GrammarNumber& number : setter.numbers_before_) old.emplace(number.name, number.value);
     std::vector<std::string> names;
     for (const GrammarNumber& number : grammar_numbers(setter.grammar_)) {
         if (!number.parts.empty() || (number.rank == NumberRank::hidden && number.constant < 0)) continue;
         if (std::ranges::find(setter.set_names_, number.name) != setter.set_names_.end()) continue;
-        const auto same = std::ranges::find(old, number.name, &GrammarNumber::name);
-        if (same == old.end() || same->value == number.value) continue;
+        const auto same = old.find(number.name);
+        if (same == old.end() || same->second == number.value) continue;
         const bool written_there =
             number.written.empty() && std::ranges::any_of(number.slots, [&](const NumberSlot& slot) {
                 return std::ranges::any_of(setter.set_slots_, [&](const NumberSlot& set) {
@@ -164,7 +169,7 @@ void add_followers(const Grammar& before, const NumberSetter& setter, std::vecto
             return number.name.ends_with('.' + name.substr(0, name.find(' ')));
         };
         if (std::ranges::any_of(names, says_it) || std::ranges::any_of(setter.set_names_, says_it)) continue;
-        names.push_back(number.name + ' ' + short_text(same->value) + " -> " + short_text(number.value));
+        names.push_back(number.name + ' ' + short_text(same->second) + " -> " + short_text(number.value));
     }
     if (names.empty()) return;
     std::string text = "with it: ";
@@ -208,7 +213,7 @@ EditResult set_numbers(const Grammar& grammar, std::span<const NumberEdit> edits
     NumberSetter setter(grammar);
     for (const NumberEdit& edit : edits) setter.apply(edit);
     EditResult result{setter.grammar_, setter.changes_};
-    if (options.say_changes) add_followers(grammar, setter, result.changes);
+    if (options.say_changes) add_followers(setter, result.changes);
     if (options.keep_rings_closed) {
         EditResult closed = keep_rings_closed(grammar, setter.grammar_, {.nearest_count = options.nearest_ring});
         result.grammar = std::move(closed.grammar);

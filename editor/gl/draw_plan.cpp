@@ -113,7 +113,9 @@ class Planner {
     }
 
     void add_run(const SeenGroup& group, const std::vector<std::uint32_t>& run) {
-        if (is_worth_a_call(group, run.size())) {
+        if (look(group.look).paint.mixes_within) {
+            for (const std::uint32_t number : run) add_mixing(group, number);
+        } else if (is_worth_a_call(group, run.size())) {
             add_instances(plan_.translucent, group, run);
         } else {
             for (const std::uint32_t number : run) add_to_stream(plan_.translucent, group, number);
@@ -150,12 +152,14 @@ class Planner {
 
     /// The step that further vertices of this kind can join. Where order counts, a step takes both solid and gradient
     /// paints.
-    PlanStep& stream_step(std::vector<PlanStep>& steps, bool crisp, bool gradients) {
+    PlanStep& stream_step(std::vector<PlanStep>& steps, bool crisp, bool gradients, PlanStage stage = PlanStage::plain) {
         const bool joins = !steps.empty() && steps.back().kind == PlanStepKind::stream && steps.back().crisp == crisp &&
+                           steps.back().stage == stage &&
                            (&steps == &plan_.translucent || steps.back().gradients == gradients);
         if (!joins) {
             steps.push_back({.kind = PlanStepKind::stream,
                              .first = static_cast<std::uint32_t>(plan_.indices.size()),
+                             .stage = stage,
                              .crisp = crisp,
                              .gradients = gradients});
         }
@@ -163,12 +167,59 @@ class Planner {
         return steps.back();
     }
 
+    bool has_room(const ShapeMesh& mesh) {
+        if (plan_.stream.size() + mesh.vertices.size() <= most_stream_vertices) return true;
+        ++plan_.left_out;
+        return false;
+    }
+
+    /// U over L, both times o, is: beside U, o L; in U, first L times o (1 - u) / (1 - o u), then o U, where u is U's
+    /// opacity.
+    void add_mixing(const SeenGroup& group, std::uint32_t number) {
+        const LookPaint& paint = look(group.look).paint;
+        const LookPart upper = paint.upper;
+        const LookPart lower = paint.lower();
+        const double whole = paint.opacity;
+        const double through = 1 - paint.part(upper).opacity;
+        const double seen = whole * paint.part(upper).opacity;
+        const double rest = whole * paint.part(lower).opacity;
+        if (!has_room(*group.mesh)) return;
+        add_part(group, number, {upper, seen, 1, PlanStage::mark});
+        add_part(group, number, {lower, rest, 0, PlanStage::plain});
+        add_part(group, number, {lower, rest * through / (1 - seen), 1, PlanStage::marked});
+        add_part(group, number, {upper, seen, 1, PlanStage::marked});
+    }
+
+    struct MixedPart {
+        LookPart part;
+        double opacity;
+        std::uint32_t rank;  ///< within the item
+        PlanStage stage;
+    };
+
+    void add_part(const SeenGroup& group, std::uint32_t number, const MixedPart& mixed) {
+        const ShapeMesh& mesh = *group.mesh;
+        const LookEntry& entry = look(group.look);
+        const bool gradients = has_gradients(entry);
+        PlanStep& step = stream_step(plan_.translucent, entry.paint.crisp, gradients, mixed.stage);
+        const auto first = static_cast<std::uint32_t>(plan_.stream.size());
+        const auto part = static_cast<float>(mixed.part);
+        for (const std::uint32_t index : mesh.indices) {
+            if (mesh.vertices[index].part != part) continue;
+            plan_.indices.push_back(first + index);
+            ++step.count;
+        }
+        add_vertices(mesh, entry, number);
+        for (auto vertex = plan_.stream.begin() + first; vertex != plan_.stream.end(); ++vertex) {
+            vertex->rank = 2 * number + mixed.rank;
+            vertex->color.back() = packed_color({}, mixed.opacity).back();
+        }
+        if (gradients) add_gradients(mesh, entry, first);
+    }
+
     void add_to_stream(std::vector<PlanStep>& steps, const SeenGroup& group, std::uint32_t number) {
         const ShapeMesh& mesh = *group.mesh;
-        if (plan_.stream.size() + mesh.vertices.size() > most_stream_vertices) {
-            ++plan_.left_out;
-            return;
-        }
+        if (!has_room(mesh)) return;
         const LookEntry& entry = look(group.look);
         const bool gradients = has_gradients(entry);
         PlanStep& step = stream_step(steps, entry.paint.crisp, gradients);

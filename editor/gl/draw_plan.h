@@ -41,12 +41,17 @@ struct StreamGradient {
 
 enum class PlanStepKind : std::uint8_t { instances, stream, fragment };
 
+/// Two parts that are faded together (LookPaint::mixes_within) take three steps: the upper part marks its place by its
+/// depth; the lower part is drawn beside it; both are drawn where it is.
+enum class PlanStage : std::uint8_t { plain, mark, marked };
+
 struct PlanStep {
     PlanStepKind kind = PlanStepKind::instances;
     std::int32_t look = 0;                  ///< of instances
     std::uint32_t first = 0;                ///< instance; index of the stream; item of a fragment
     std::uint32_t count = 0;                ///< of instances or indices
     std::shared_ptr<const ShapeMesh> mesh;  ///< of instances
+    PlanStage stage = PlanStage::plain;
     bool crisp = false;
     bool gradients = false;
 };

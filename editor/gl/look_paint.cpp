@@ -39,6 +39,8 @@ LookPaint look_paint(const Style& style) {
     paint.crisp = style.crisp_edges;
     paint.opaque = is_opaque(paint.opacity);
     for (const PartPaint& part : paint.parts) paint.opaque = paint.opaque && (!part.painted || part.opaque);
+    const bool both = paint.parts[0].painted && paint.parts[1].painted;
+    paint.mixes_within = both && !is_opaque(paint.opacity) && !paint.part(paint.upper).opaque;
     return paint;
 }
 

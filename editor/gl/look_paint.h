@@ -29,7 +29,10 @@ struct LookPaint {
     LookPart upper = LookPart::stroke;
     bool crisp = false;   ///< edges are not smoothed
     bool opaque = false;  ///< of both parts: what lies below an instance is hidden by it
+    /// Both parts are faded together, and the upper one lets the lower one through: no order of drawing alone does that.
+    bool mixes_within = false;
 
+    LookPart lower() const { return upper == LookPart::fill ? LookPart::stroke : LookPart::fill; }
     const PartPaint& part(LookPart which) const { return parts[index_of(which)]; }
 };
 

@@ -120,6 +120,19 @@ struct PictureRenderer::Parts {
         turn(before, compares ? LayerContent{compared, nullptr, false} : LayerContent{});
     }
 
+    /// What of the shown picture is missing for good.
+    std::string missing() const {
+        const std::size_t outlines = picture.left_out();
+        const std::size_t verbatim = fragments.left_out();
+        std::string text;
+        if (outlines > 0)
+            text = std::to_string(outlines) + " elements are not drawn: the picture is too large for the memory. ";
+        if (verbatim > 0) text += std::to_string(verbatim) + " texts, images or effects cannot be drawn. ";
+        if (shown && shown->looks.gradients.overflows())
+            text += "Some gradients have the colours of others: there are too many. ";
+        return text.empty() ? text : text + "Files that are saved or exported hold all of it.";
+    }
+
     FrameParts frame_parts(const ViewTransform& view, const PictureEmphasis& emphasis,
                            const PictureSurround& surround) const {
         return {.picture = picture.result(),
@@ -152,6 +165,7 @@ unsigned PictureRenderer::draw(const std::shared_ptr<const DerivedPicture>& pict
     parts.frame.resize(std::max(1, static_cast<int>(view.size.x)), std::max(1, static_cast<int>(view.size.y)));
     parts.screen.compose(parts.frame, parts.frame_parts(view, emphasis, options.surround));
     parts.drawer.forget_unused_meshes();
+    parts.shortcoming = parts.missing();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return parts.frame.texture();
 }

@@ -168,13 +168,50 @@ void PlanDrawer::draw_stream(const PlanStep& step, UploadedPlan& uploaded, const
                    byte_offset((step.first + first) * sizeof(std::uint32_t)));
 }
 
+namespace {
+
+constexpr std::uint32_t corners = 3;  // of a triangle
+
+/// Depth and blending as the step needs them.
+void set_state(const PlanStep& step, bool opaque) {
+    opaque ? glDisable(GL_BLEND) : glEnable(GL_BLEND);
+    glDepthFunc(step.stage == PlanStage::marked ? GL_EQUAL : GL_LESS);
+    const GLboolean colors = step.stage == PlanStage::mark ? GL_FALSE : GL_TRUE;
+    glColorMask(colors, colors, colors, colors);
+}
+
+std::size_t triangles_each(const PlanStep& step) {
+    return step.kind == PlanStepKind::instances ? std::max<std::size_t>(1, step.mesh->indices.size() / corners) : 1;
+}
+
+/// Instances or indices of the step that are drawn in one call, from the cursor on.
+std::uint32_t slice_count(const PlanStep& step, const PlanCursor& cursor) {
+    const auto room = static_cast<std::uint32_t>(std::max<std::size_t>(1, slice_triangles / triangles_each(step)));
+    const std::uint32_t most = step.kind == PlanStepKind::instances ? room : corners * room;
+    return std::min(step.count - cursor.drawn, most);
+}
+
+}  // namespace
+
+std::size_t PlanDrawer::draw_slice(const PlanStep& step, UploadedPlan& uploaded, const PlanPass& pass, PlanCursor& cursor) {
+    const bool instances = step.kind == PlanStepKind::instances;
+    const std::uint32_t count = slice_count(step, cursor);
+    if (step.kind == PlanStepKind::fragment) {
+        pass.fragment(step.first);
+    } else if (count > 0) {
+        instances ? draw_instances(step, uploaded, pass, cursor.drawn, count)
+                  : draw_stream(step, uploaded, pass, cursor.drawn, count);
+    }
+    cursor.drawn += count;
+    if (cursor.drawn >= step.count) cursor = {.step = cursor.step + 1, .drawn = 0};
+    return instances ? triangles_each(step) * count : count / corners;
+}
+
 bool PlanDrawer::draw(UploadedPlan& uploaded, const PlanPass& pass, PlanCursor& cursor,
                       std::chrono::steady_clock::time_point deadline) {
-    constexpr std::uint32_t corners = 3;
     const DrawPlan& plan = uploaded.plan;
     const std::size_t steps = plan.opaque.size() + plan.translucent.size();
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     std::size_t triangles = 0;
     while (cursor.step < steps) {
@@ -184,31 +221,12 @@ bool PlanDrawer::draw(UploadedPlan& uploaded, const PlanPass& pass, PlanCursor& 
             if (std::chrono::steady_clock::now() > deadline) break;
         }
         const bool opaque = cursor.step < plan.opaque.size();
-        opaque ? glDisable(GL_BLEND) : glEnable(GL_BLEND);
         const PlanStep& step = opaque ? plan.opaque[cursor.step] : plan.translucent[cursor.step - plan.opaque.size()];
-        if (step.kind == PlanStepKind::fragment) {
-            if (pass.fragment) pass.fragment(step.first);
-            ++cursor.step;
-            continue;
-        }
-        const bool instances = step.kind == PlanStepKind::instances;
-        const std::size_t triangles_each = instances ? step.mesh->indices.size() / corners : 1;
-        const auto room =
-            static_cast<std::uint32_t>(std::max<std::size_t>(1, slice_triangles / std::max<std::size_t>(1, triangles_each)));
-        const std::uint32_t left = step.count - cursor.drawn;
-        const std::uint32_t count = std::min(left, instances ? room : corners * room);
-        if (count > 0) {
-            instances ? draw_instances(step, uploaded, pass, cursor.drawn, count)
-                      : draw_stream(step, uploaded, pass, cursor.drawn, count);
-        }
-        triangles += instances ? triangles_each * count : count / corners;
-        cursor.drawn += count;
-        if (cursor.drawn < step.count) continue;
-        cursor.drawn = 0;
-        ++cursor.step;
+        set_state(step, opaque);
+        triangles += draw_slice(step, uploaded, pass, cursor);
     }
+    set_state({}, true);
     glBindVertexArray(0);
-    glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     return cursor.step >= steps;
 }

@@ -48,6 +48,8 @@ struct PlanPass {
 
 class PlanDrawer {
   public:
+    PlanDrawer();
+
     /// Draws into the bound framebuffer from the cursor on, until the deadline at about, but some of it in any case. True
     /// when all is drawn. Needs a depth buffer, cleared before the first slice.
     bool draw(UploadedPlan& uploaded, const PlanPass& pass, PlanCursor& cursor,
@@ -62,6 +64,8 @@ class PlanDrawer {
         GLint view_scale, view_shift, one_color, upper_part, to_unit, gradients, gradient_table, ramps;
     };
     const Program& begin(const PlanStep& step, const UploadedPlan& uploaded, const PlanPass& pass) const;
+    /// Draws some of the step and moves the cursor; the number of triangles.
+    std::size_t draw_slice(const PlanStep& step, UploadedPlan& uploaded, const PlanPass& pass, PlanCursor& cursor);
     void draw_instances(const PlanStep& step, UploadedPlan& uploaded, const PlanPass& pass, std::uint32_t first,
                         std::uint32_t count);
     void draw_stream(const PlanStep& step, UploadedPlan& uploaded, const PlanPass& pass, std::uint32_t first,
@@ -69,9 +73,6 @@ class PlanDrawer {
 
     MeshBuffers meshes_;
     Program instance_solid_, instance_gradient_, stream_solid_, stream_gradient_;
-
-  public:
-    PlanDrawer();
 };
 
 }  // namespace rinceau

@@ -5,6 +5,7 @@
 #include <regex>
 #include <string>
 
+#include "editor/main/picture_file.h"
 #include "editor/main/session.h"
 
 namespace {
@@ -42,6 +43,9 @@ int main(int argc, char** argv) {
     program.add_flag("--light", options.light)->group("");
     program.add_option("--autosave-seconds", options.autosave_seconds)->group("");
     program.add_option("--places", options.places)->group("");
+    CLI::Option* picture = program.add_option("--picture", options.picture)->group("");
+    program.add_option("--width", options.picture_width)->group("")->needs(picture)->check(CLI::Range(1, largest_side));
+    program.add_flag("--as-drawing", options.as_drawing)->group("")->needs(picture);
     program.failure_message([](const CLI::App*, const CLI::Error& error) {
         return "rinceau edit: " + std::string(error.what()) + "\nSee 'rinceau edit --help'\n";
     });
@@ -52,5 +56,6 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : command_line_at_fault;
     }
+    if (!options.picture.empty()) return rinceau::write_picture_file(options);
     return rinceau::run_editor(options);
 }

@@ -25,4 +25,7 @@ class OffscreenFrame {
     unsigned pixels_ = 0;
 };
 
+/// What a texture of that size shows. Needs a current context.
+Picture picture_of_texture(unsigned texture, int width, int height);
+
 }  // namespace rinceau

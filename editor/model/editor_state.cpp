@@ -1,6 +1,9 @@
 #include "editor/model/editor_state.h"
 
+#include <algorithm>
+
 #include "editor/model/file_kind.h"
+#include "lsystem/grammar_names.h"
 
 namespace rinceau {
 
@@ -16,7 +19,7 @@ const Document& shown_document(const EditorState& state) { return state.preview 
 bool is_busy(const EditorState& state) {
     const bool derives = state.picture_revision != state.revision && state.picture_mistake.empty();
     return derives || state.analysis.running || state.file.opening || state.file.saving || state.file.exporting ||
-           state.tools.running || state.tools.reading;
+           state.tools.running || state.tools.reading || state.clusters.running || state.clusters.mapping;
 }
 
 bool shows_tool_preview(const EditorState& state) {
@@ -27,6 +30,20 @@ std::string window_title(const EditorState& state) {
     const std::string& path = state.file.path;
     const std::string name = path.empty() ? "Untitled" : path.substr(path.rfind('/') + 1);
     return (has_unsaved_changes(state) ? "*" : "") + name + " – Rinceau";
+}
+
+std::string selected_symbol(const EditorState& state) {
+    if (!state.canvas.selection) return {};
+    const std::string& symbol = selected_module(*state.canvas.selection).symbol;
+    const auto symbols = symbols_of(*state.document.grammar);
+    return std::ranges::count(symbols, symbol) > 0 ? symbol : std::string();
+}
+
+int selected_rule(const EditorState& state) {
+    constexpr int none = -2;
+    if (!state.canvas.selection) return none;
+    const int production = selected_production(*state.canvas.selection);
+    return production < static_cast<int>(state.document.grammar->productions.size()) ? production : none;
 }
 
 bool has_unsaved_changes(const EditorState& state) {

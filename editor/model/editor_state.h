@@ -70,6 +70,12 @@ std::string window_title(const EditorState& state);
 
 /// Would be lost if the window closed now: compared with what the file holds, by versions. A file of a grammar alone does
 /// not hold locks and options. Quick, for every frame.
+/// The symbol that is selected on the canvas, if it is one of the document's grammar; empty = none.
+std::string selected_symbol(const EditorState& state);
+
+/// The index of the document's production in which the selected symbol stands; -1 = the axiom, -2 = none.
+int selected_rule(const EditorState& state);
+
 bool has_unsaved_changes(const EditorState& state);
 
 }  // namespace rinceau

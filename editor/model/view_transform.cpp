@@ -1,6 +1,7 @@
 #include "editor/model/view_transform.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rinceau {
 namespace {
@@ -21,6 +22,10 @@ ViewTransform fitted_view(const ViewTransform& view, const Box& box) {
     const double upright = height(box) > 0 ? view.size.y / height(box) : greatest_zoom;
     const bool point = width(box) <= 0 && height(box) <= 0;
     fitted.zoom = point ? 1 : bounded(fitted_share * std::min(across, upright));
+    // the upper left corner comes to a whole pixel: edges along the picture's own are as crisp as in a browser
+    const Point corner = to_canvas(fitted, {box.low.x, box.high.y});
+    const Point off{corner.x - std::round(corner.x), corner.y - std::round(corner.y)};
+    fitted.center = {fitted.center.x + off.x / fitted.zoom, fitted.center.y - off.y / fitted.zoom};
     return fitted;
 }
 

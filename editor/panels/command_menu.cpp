@@ -5,12 +5,21 @@
 #include "editor/panels/frame_timing.h"
 
 namespace rinceau {
+namespace {
+
+std::string help_now(const Command& command, const EditorState& state) {
+    const std::string detail = command.detail != nullptr ? command.detail(state) : std::string();
+    return detail.empty() ? command.help : detail + '\n' + command.help;
+}
+
+}  // namespace
+
 void command_entry(const Command& command, const EditorState& state, const PanelTools& tools, Actions& actions) {
     const bool checked = command.checked != nullptr && command.checked(state);
     if (ImGui::MenuItem(command.label.c_str(), first_shortcut(command).c_str(), checked, is_enabled(command, state)))
         actions.push_back(command.action(state));
     note_place(tools, "menu/" + command.name);
-    tooltip(command.help, command.shortcut);
+    tooltip(help_now(command, state), command.shortcut);
 }
 
 void command_button(const Command& command, const std::string& area, const EditorState& state, const PanelTools& tools,
@@ -19,7 +28,7 @@ void command_button(const Command& command, const std::string& area, const Edito
     if (ImGui::Button((command.label + "##" + command.name).c_str())) actions.push_back(command.action(state));
     note_place(tools, area + "/" + command.name);
     ImGui::EndDisabled();
-    tooltip(command.help, command.shortcut);
+    tooltip(help_now(command, state), command.shortcut);
 }
 
 void tooltip(const std::string& text, const std::string& shortcut) {

@@ -117,6 +117,7 @@ void list(Browser& browser) {
     ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, size_column * browser.tools.scale);
     ImGui::TableSetupColumn("Changed", ImGuiTableColumnFlags_WidthFixed, time_column * browser.tools.scale);
+    const bool moved = is_other_row(browser.dialog.selected);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(shown.size()));
     if (browser.dialog.selected >= 0)
@@ -124,7 +125,7 @@ void list(Browser& browser) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             row(browser, i, browser.dialog.entries[shown[static_cast<std::size_t>(i)]]);
-            if (i == browser.dialog.selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+            if (moved && i == browser.dialog.selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         }
     }
     if (shown.empty()) {
@@ -264,7 +265,11 @@ void content(Browser& browser) {
     if (purpose == FilePurpose::export_picture) export_format(browser);
     path_field(browser);
     ImGui::SameLine();
-    if (browser.button(verb_of(purpose), "OK")) browser.act(AcceptFileDialog{});
+    if (browser.state.file.exporting) {
+        if (browser.button("Stop", "Stop")) browser.actions.push_back(FileAction{CancelExport{}});
+    } else if (browser.button(verb_of(purpose), "OK")) {
+        browser.act(AcceptFileDialog{});
+    }
     ImGui::SameLine();
     if (browser.button("Cancel", "Cancel") || key(ImGuiKey_Escape)) browser.act(CloseFileDialog{});
     crumbs(browser);

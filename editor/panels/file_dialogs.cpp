@@ -17,45 +17,57 @@ namespace {
 constexpr float question_width = 460;  ///< at scale 1
 
 struct AnswerButton {
-    const char* label;
+    const char* label;  ///< says its key, too
     const char* name;
     FileAnswer answer;
+    char letter;
 };
 
-/// What a question looks like.
+/// What a question looks like. Enter is the answer that loses nothing.
 struct QuestionText {
     std::string title;
     std::string text;
-    std::vector<AnswerButton> buttons;  ///< the first one is also Enter's
+    std::vector<AnswerButton> buttons;
+    FileAnswer enter = FileAnswer::cancel;
 };
 
 QuestionText text_of(const UnsavedQuestion&, const EditorState& state) {
     const std::string name = state.file.path.empty() ? "This document" : file_name_of(state.file.path);
     return {"Unsaved changes",
             name + " has changes that are not saved.",
-            {{"Save", "ask/Save", FileAnswer::save},
-             {"Discard", "ask/Discard", FileAnswer::discard},
-             {"Cancel", "ask/Cancel", FileAnswer::cancel}}};
+            {{"Save (Enter)", "ask/Save", FileAnswer::save, 's'},
+             {"Discard (D)", "ask/Discard", FileAnswer::discard, 'd'},
+             {"Cancel (Esc)", "ask/Cancel", FileAnswer::cancel, 'c'}},
+            FileAnswer::save};
 }
 
 QuestionText text_of(const ReplaceQuestion& question, const EditorState&) {
     std::string names;
-    for (const std::string& name : question.names) names += (names.empty() ? "" : "\n") + name;
-    return {"Replace",
-            names + (question.names.size() > 1 ? "\nare there already." : "\nis there already."),
-            {{"Replace", "ask/Replace", FileAnswer::replace}, {"Cancel", "ask/Cancel", FileAnswer::cancel}}};
+    for (const std::string& name : question.names) names += name + '\n';
+    return {
+        "Replace",
+        names + (question.names.size() > 1 ? "are there already." : "is there already."),
+        {{"Replace (R)", "ask/Replace", FileAnswer::replace, 'r'}, {"Cancel (Esc)", "ask/Cancel", FileAnswer::cancel, 'c'}}};
 }
 
 QuestionText text_of(const ChangedQuestion& question, const EditorState&) {
     return {
         "Changed by another program",
         question.path + "\nis not as it was when it was opened here: another program, or another window, has written it.",
-        {{"Save as...", "ask/SaveAs", FileAnswer::save_as},
-         {"Overwrite", "ask/Overwrite", FileAnswer::replace},
-         {"Cancel", "ask/Cancel", FileAnswer::cancel}}};
+        {{"Save as... (Enter)", "ask/SaveAs", FileAnswer::save_as, 's'},
+         {"Overwrite (O)", "ask/Overwrite", FileAnswer::replace, 'o'},
+         {"Cancel (Esc)", "ask/Cancel", FileAnswer::cancel, 'c'}},
+        FileAnswer::save_as};
 }
 
 bool key(ImGuiKey_ which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }
+
+/// Small or capital, in this frame.
+bool is_typed(char letter) {
+    for (const ImWchar typed : ImGui::GetIO().InputQueueCharacters)
+        if (typed == static_cast<ImWchar>(letter) || typed == static_cast<ImWchar>(letter - 'a' + 'A')) return true;
+    return false;
+}
 
 Actions question_window(const EditorState& state, const PanelTools& tools) {
     QuestionText question;
@@ -71,12 +83,12 @@ Actions question_window(const EditorState& state, const PanelTools& tools) {
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     for (const AnswerButton& button : question.buttons) {
-        if (ImGui::Button(button.label)) answer(button.answer);
+        if (ImGui::Button(button.label) || is_typed(button.letter)) answer(button.answer);
         note_place(tools, button.name);
         ImGui::SameLine();
     }
-    const bool first_frames = ImGui::IsWindowAppearing();  // the key that led here is still down
-    if (actions.empty() && !first_frames && key(ImGuiKey_Enter)) answer(question.buttons.front().answer);
+    const bool first_frame = ImGui::IsWindowAppearing();  // the key that led here is still down
+    if (actions.empty() && !first_frame && key(ImGuiKey_Enter)) answer(question.enter);
     if (actions.empty() && key(ImGuiKey_Escape)) answer(FileAnswer::cancel);
     ImGui::EndPopup();
     return actions;
@@ -84,7 +96,7 @@ Actions question_window(const EditorState& state, const PanelTools& tools) {
 
 Actions export_window(const EditorState& state, const PanelTools& tools) {
     Actions actions;
-    if (!state.file.exporting || state.file.question) return actions;
+    if (!state.file.exporting || state.file.question || state.dialog.file) return actions;
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos({viewport->WorkPos.x + viewport->WorkSize.x / 2, viewport->WorkPos.y + viewport->WorkSize.y},
                             ImGuiCond_Always, {0.5F, 1});

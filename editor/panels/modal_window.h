@@ -1,7 +1,9 @@
 #pragma once
-// A window before all others, open as long as the state says so.
+// Windows before all others, open as long as the state says so.
 
 #include <imgui.h>
+
+#include <utility>
 
 namespace rinceau {
 
@@ -14,6 +16,12 @@ inline bool begin_modal(const char* title, bool wanted, ImGuiWindowFlags flags) 
     ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return false;
+}
+
+/// Is the row that is chosen in a list another one than in the last frame, so that it must be scrolled to?
+inline bool is_other_row(int row) {
+    int* last = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen row"), -1);
+    return std::exchange(*last, row) != row;
 }
 
 }  // namespace rinceau

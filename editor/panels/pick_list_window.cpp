@@ -20,13 +20,14 @@ bool key(ImGuiKey_ which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which)
 
 void items(const PickList& list, const PanelTools& tools, Actions& actions) {
     const bool samples = list.of == PickList::Of::samples;
+    const bool moved = is_other_row(list.selected);
     int number = 0;
     for (const PickItem& item : list.items) {
         const std::string label = item.label + "##" + std::to_string(number);
         if (ImGui::Selectable(label.c_str(), number == list.selected)) actions.push_back(DialogAction{PickItemAt{number}});
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", item.path.c_str());
         note_place(tools, (samples ? "samples/" + stem_of(item.path) : "recent/" + file_name_of(item.path)));
-        if (number == list.selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+        if (moved && number == list.selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         ++number;
     }
     if (list.items.empty())

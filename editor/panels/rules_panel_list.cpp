@@ -57,14 +57,6 @@ void draw_folded(const EditorState& state, const PanelTools& tools, const char* 
     ImGui::Unindent();
 }
 
-/// The symbol that is selected on the canvas; empty = none.
-std::string selected_symbol(const EditorState& state) {
-    if (!state.canvas.selection) return {};
-    const std::string& symbol = selected_module(*state.canvas.selection).symbol;
-    const auto symbols = symbols_of(*state.document.grammar);
-    return std::ranges::count(symbols, symbol) > 0 ? symbol : std::string();
-}
-
 void draw_add(const EditorState& state, const PanelTools& tools, Actions& actions) {
     if (ImGui::Button("Add a rule ..", {-1, 0})) ImGui::OpenPopup("add");
     note_place(tools, "rules/add");
@@ -144,7 +136,7 @@ void draw_history(const EditorState& state, const PanelTools& tools, Actions& ac
 class SelectedCard {
   public:
     explicit SelectedCard(const EditorState& state) {
-        if (state.canvas.selection) selected_ = selected_production(*state.canvas.selection);
+        selected_ = selected_rule(state);
         int* const last = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("selected rule"), no_rule);
         comes_ = *last != selected_ && selected_ != no_rule;
         *last = selected_;

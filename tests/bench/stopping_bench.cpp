@@ -1,5 +1,6 @@
 // How soon an analysis can be stopped: the longest processor time of the calling thread between two looks at its progress,
-// and how long it runs on after it was told to stop, which an idle machine must be asked for. Usage: stopping_bench [FILE.svg ...]; without files, random elements and nested structure.
+// and how long it runs on after it was told to stop, which an idle machine must be asked for. Usage: stopping_bench
+// [FILE.svg ...]; without files, random elements and nested structure.
 
 #include <time.h>
 

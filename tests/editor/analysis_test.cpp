@@ -35,8 +35,8 @@ struct Editing {
     }
     void draw() {
         if (const auto* asked = request<DerivePicture>())
-            act(CanvasAction{PictureDerived{
-                asked->revision, std::make_shared<const DerivedPicture>(derive_picture(asked->document))}});
+            act(CanvasAction{
+                PictureDerived{asked->revision, std::make_shared<const DerivedPicture>(derive_picture(asked->document))}});
     }
     bool was_told(const std::string& part) const {
         return std::ranges::any_of(state.messages,
@@ -215,9 +215,9 @@ Editing with_clusters() {
     const PreparedDrawing prepared = prepare_drawing(*asked.drawing);
     const Instancing& instancing = prepared.readings.front().instancing;
     const std::vector<std::string> names(instancing.looks.size(), "look");
-    editing.act(AnalysisAction{ClustersFound{
-        asked.job, std::make_shared<const DrawingClusters>(DrawingClusters{
-                       asked.drawing, asked.options, cluster_table(instancing, names, prepared.diagonal)})}});
+    editing.act(AnalysisAction{
+        ClustersFound{asked.job, std::make_shared<const DrawingClusters>(DrawingClusters{
+                                     asked.drawing, asked.options, cluster_table(instancing, names, prepared.diagonal)})}});
     REQUIRE(editing.state.clusters.found->table.rows.size() > 1);
     return editing;
 }

@@ -53,6 +53,7 @@ class Editor:
         self.display = display
         self.own_home = home is None
         self.home = pathlib.Path(home or tempfile.mkdtemp(prefix='editor-'))
+        self.home.mkdir(parents=True, exist_ok=True)
         self.trace = self.home / 'places.json'
         self.trace.unlink(missing_ok=True)
         self.environment = dict(os.environ, DISPLAY=display.name, HOME=str(self.home), LIBGL_ALWAYS_SOFTWARE='1',
@@ -190,6 +191,14 @@ class Editor:
         self.click(field)
         self.keys('ctrl+a')
         self.type(text)
+
+    def enter_number(self, field, text):
+        """Types a number into a field that is dragged, which Ctrl+click makes a text field."""
+        self.move(field)
+        self.tool('keydown', 'ctrl', 'sleep', '0.1', 'mousedown', 1, 'sleep', '0.1', 'mouseup', 1, 'sleep', '0.1', 'keyup', 'ctrl')
+        self.keys('ctrl+a')
+        self.type(text)
+        self.keys('Return')
 
     def kill(self):
         self.process.send_signal(signal.SIGKILL)
