@@ -141,7 +141,7 @@ std::vector<Command> help_commands() {
     return {
         {.name = "help.palette",
          .menu = "Help",
-         .label = "Find a command ..",
+         .label = "Find a command...",
          .shortcut = "Ctrl+P Ctrl+Shift+P",
          .help = "Type a part of a command's name; Enter runs it.",
          .action = [](const EditorState& state) -> Action { return ShellAction{ShowPalette{!state.shell.palette}}; }},

@@ -15,6 +15,12 @@ constexpr const char* popup = "Find a command";
 
 bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
+/// Up and down choose a row while the text is typed.
+int count_arrows(ImGuiInputTextCallbackData* data) {
+    *static_cast<int*>(data->UserData) += data->EventKey == ImGuiKey_DownArrow ? 1 : -1;
+    return 0;
+}
+
 /// A row for a command; true if it was clicked.
 bool draw_row(const Command& command, bool chosen, const EditorState& state, const PanelTools& tools) {
     ImGui::BeginDisabled(!is_enabled(command, state));
@@ -48,13 +54,12 @@ const Command* draw_list(const std::vector<const Command*>& found, int chosen, b
 int edit_search(const EditorState& state, const PanelTools& tools, Actions& actions, std::string& text, int& rows) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    bool changed = ImGui::InputTextWithHint("##words", "Part of a command's name", &text);
+    int moved = 0;
+    const bool changed = ImGui::InputTextWithHint("##words", "Part of a command's name", &text,
+                                                  ImGuiInputTextFlags_CallbackHistory, count_arrows, &moved);
     note_place(tools, "palette/words");
     rows = static_cast<int>(matching_commands(commands(), text).size());
-    int chosen = changed ? 0 : state.shell.palette_chosen;
-    if (pressed(ImGuiKey_DownArrow)) ++chosen;
-    if (pressed(ImGuiKey_UpArrow)) --chosen;
-    chosen = std::clamp(chosen, 0, std::max(0, rows - 1));
+    const int chosen = std::clamp((changed ? 0 : state.shell.palette_chosen) + moved, 0, std::max(0, rows - 1));
     if (changed || chosen != state.shell.palette_chosen) actions.push_back(ShellAction{EditPalette{text, chosen}});
     return chosen;
 }

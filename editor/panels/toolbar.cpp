@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<const char*, 20> toolbar_commands{
     "file.open",        "file.sample",     "file.save", "file.export",  "",
     "edit.undo",        "edit.redo",       "",          "view.fit",     "view.zoom_in",
-    "view.zoom_out",    "view.onion",      "",          "analysis.run", "",
+    "view.zoom_out",    "view.before_and_after",      "",          "analysis.run", "",
     "tools.symmetrize", "tools.randomize", "",          "help.palette", "help.help"};
 
 float button_width(const Command& command) {
