@@ -16,6 +16,7 @@
 #include "editor/effects/kept_preferences.h"
 #include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
+#include "editor/gl/thumbnails.h"
 #include "editor/main/keyboard.h"
 #include "editor/main/screen.h"
 #include "editor/main/window.h"
@@ -100,7 +101,9 @@ class Session {
             .drop = [this](std::string file) { act(FileAction{OpenFile{std::move(file)}}); },
         });
     }
-    bool wants_frame() const { return pending_frames_ > 0 || renderer_.refining() || keyboard_.is_waiting(); }
+    bool wants_frame() const {
+        return pending_frames_ > 0 || renderer_.refining() || thumbnails_.waiting() || keyboard_.is_waiting();
+    }
 
     /// For whatever comes first: input, an answer, or time for the next frame.
     void wait() {
@@ -141,6 +144,9 @@ class Session {
         tools.scale = screen_.scale();
         tools.fonts = screen_.fonts();
         tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view);
+        tools.shortcoming = renderer_.shortcoming();
+        thumbnails_.begin_frame();
+        tools.thumbnail = [this](int look) { return thumbnail(look); };
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
         const Actions actions = editor_window(state_, tools);
@@ -148,6 +154,11 @@ class Session {
         for (const Action& action : actions) act(action);
         if (!actions.empty()) pending_frames_ = frames_of_input;
         if (!options_.places.empty()) write_trace(std::move(places));
+    }
+    unsigned thumbnail(int look) {
+        if (!state_.picture) return 0;
+        constexpr float side = 48;  // at scale 1
+        return thumbnails_.thumbnail(state_.picture, look, static_cast<int>(side * screen_.scale())).value_or(0);
     }
     void show_title() {
         title_ = window_title(state_);
@@ -178,6 +189,7 @@ class Session {
     ActionQueue answers_;
     Effects effects_;
     PictureRenderer renderer_;
+    ThumbnailRenderer thumbnails_;
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
     std::string title_;
