@@ -87,7 +87,6 @@ class Session {
   private:
     static constexpr int frames_of_input = 2;  // ImGui shows the effect of an input one frame later
     static constexpr double seconds_a_tick = 1;
-    static constexpr float thumbnail_size = 48;  // pixels at scale 1
 
     /// A screenshot shows the file alone, whatever was done before.
     static KeptFolders folders_of(const EditorOptions& options) {
@@ -174,11 +173,9 @@ class Session {
         tools.fonts = screen_.fonts();
         tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis_of(state_.canvas),
                                               {.surround = surround(state_.shell.dark)});
+        tools.shortcoming = renderer_.shortcoming();
         thumbnails_.begin_frame();
-        tools.thumbnail = [this](int look) {
-            const int pixels = static_cast<int>(std::lround(thumbnail_size * screen_.scale()));
-            return state_.picture ? thumbnails_.thumbnail(state_.picture, look, pixels).value_or(0) : 0U;
-        };
+        tools.thumbnail = [this](int look) { return thumbnail(look); };
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
         const Actions actions = editor_window(state_, tools);
@@ -186,6 +183,11 @@ class Session {
         for (const Action& action : actions) act(action);
         if (!actions.empty()) pending_frames_ = frames_of_input;
         if (!options_.places.empty()) write_trace(std::move(places));
+    }
+    unsigned thumbnail(int look) {
+        if (!state_.picture) return 0;
+        constexpr float side = 48;  // at scale 1
+        return thumbnails_.thumbnail(state_.picture, look, static_cast<int>(side * screen_.scale())).value_or(0);
     }
     void show_title() {
         title_ = window_title(state_);

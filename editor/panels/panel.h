@@ -13,11 +13,13 @@
 namespace rinceau {
 
 struct PanelTools {
-    float scale = 1;                             ///< of fonts and widgets, in window coordinates
-    EditorFonts fonts;                           ///< the usual one is set anyway
-    unsigned canvas_texture = 0;                 ///< of PictureRenderer
-    std::function<unsigned(int)> thumbnail;      ///< texture of a look of the picture, 0 = not yet; null = there are none
-    std::vector<WidgetPlace>* places = nullptr;  ///< null = nobody asks
+    float scale = 1;                              ///< of fonts and widgets, in window coordinates
+    EditorFonts fonts;                            ///< the usual one is set anyway
+    unsigned canvas_texture = 0;                  ///< of PictureRenderer
+    std::string shortcoming;                      ///< what of the picture the canvas cannot show; empty = all is shown
+    std::function<unsigned(int look)> thumbnail;  ///< a square texture, lowest row first, of a look of the picture that is
+                                                  ///< shown; 0 = not yet. Empty: there are none
+    std::vector<WidgetPlace>* places = nullptr;   ///< null = nobody asks
 };
 
 /// Notes the place of the widget that was drawn last.

@@ -35,14 +35,15 @@ std::string figures(const EditorState& state) {
     return text;
 }
 
-EditorMessage newest(const EditorState& state) {
+EditorMessage newest(const EditorState& state, const PanelTools& tools) {
     if (!state.picture_mistake.empty()) return {MessageKind::mistake, state.picture_mistake};
+    if (!tools.shortcoming.empty()) return {MessageKind::warning, tools.shortcoming};
     return state.messages.empty() ? EditorMessage{} : state.messages.back();
 }
 
 /// As much of its first line as there is room for; the whole as a tooltip. A click opens the log.
 void draw_message(const EditorState& state, const PanelTools& tools, float width, Actions& actions) {
-    const EditorMessage message = newest(state);
+    const EditorMessage message = newest(state, tools);
     const std::string line = message.text.substr(0, message.text.find('\n'));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
