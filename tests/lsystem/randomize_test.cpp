@@ -300,12 +300,12 @@ TEST_CASE("uniform noise stays within its limits, is found again and taken away"
     }
     const Grammar helical =
         randomize(grammar_of(helix), {.angle = 5, .angle_distribution = NoiseDistribution::uniform}).grammar;
-    CHECK(rules(set(helical, "P.turn_noise=1")).find("uniform(-1, 1)") != std::string::npos);
+    CHECK(rules(set(helical, "P.spin_noise=1")).find("uniform(-1, 1)") != std::string::npos);
 }
 
 TEST_CASE("single numbers have noise of their own") {
     const Grammar grammar = grammar_of(helix);
-    const RandomizeOptions options{.angle = 5, .named = {{"P.distance", {NoiseDistribution::uniform, 0.3}}, {"P.turn", {}}}};
+    const RandomizeOptions options{.angle = 5, .named = {{"P.distance", {NoiseDistribution::uniform, 0.3}}, {"P.spin", {}}}};
     const Grammar noisy = randomize(grammar, options).grammar;
     CHECK(rules(noisy) == "P(m) : m > 0 -> A f(27.5*(1+uniform(-0.3, 0.3))) *(0.993) +(8.5) P(m-1)\n");
     CHECK_THROWS_AS(randomize(grammar, {.named = {{"P.count", {}}}}), InputError);
@@ -315,7 +315,7 @@ TEST_CASE("single numbers have noise of their own") {
 
 TEST_CASE("what is nearly regular is a matter of the tolerance") {
     const Grammar bent =
-        grammar_of("axiom: Ring(12)\nRing(m) : m > 0 -> [f(50) A] +(28.8) Ring(m-1)\n" + leaf);  // 14.4 open
+        grammar_of("axiom: Ring(12)\nRing(m) : m > 0 -> [f(50) A] +(29) Ring(m-1)\n" + leaf);  // 12 degrees open
     CHECK(to_text(symmetrize(bent).grammar) == to_text(bent));
     CHECK(rules(symmetrize(bent, {.tolerance = 2}).grammar) == "Ring(m) : m > 0 -> [f(50) A] +(30) Ring(m-1)\n");
     const Grammar nearly = grammar_of("axiom: Ring(12)\nRing(m) : m > 0 -> [f(50) A] +(29.5) Ring(m-1)\n" + leaf);
