@@ -13,7 +13,6 @@ struct EditorOptions {
     int height = 800;
     float scale = 0;              ///< of fonts and widgets; 0 = the display's
     bool light = false;           ///< dark letters on a light ground, whatever the preferences say
-    float scale = 0;              ///< of fonts and widgets; 0 = the display's
     double autosave_seconds = 0;  ///< between two copies for emergencies; 0 = as preferred
     std::string places;       ///< write what the window shows (model/places_json.h) here after each frame; empty = nowhere
     std::string picture;      ///< draw the canvas's picture alone into this PNG and leave; empty = do not

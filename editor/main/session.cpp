@@ -16,10 +16,12 @@
 #include "editor/effects/kept_preferences.h"
 #include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
+#include "editor/main/canvas_emphasis.h"
 #include "editor/main/keyboard.h"
 #include "editor/main/screen.h"
 #include "editor/main/window.h"
 #include "editor/model/command.h"
+#include "editor/model/state_preferences.h"
 #include "editor/model/update.h"
 #include "editor/panels/frame_timing.h"
 #include "editor/panels/panel.h"
@@ -37,13 +39,6 @@ constexpr int done = 0;
 constexpr int input_at_fault = 1;
 constexpr int output_not_written = 4;
 }  // namespace status
-
-PictureEmphasis emphasis(const CanvasState& canvas) {
-    PictureEmphasis emphasis{.lit = canvas.lit, .outlined = canvas.outlined, .before = canvas.before};
-    if (canvas.onion == OnionMode::before_and_after) emphasis.comparison = PictureComparison::onion;
-    if (canvas.onion == OnionMode::difference) emphasis.comparison = PictureComparison::difference;
-    return emphasis;
-}
 
 Color colour_of(const ImVec4& colour) {
     const auto byte = [](float part) { return static_cast<std::uint8_t>(std::lround(255 * part)); };
@@ -127,8 +122,13 @@ class Session {
         }
         const double frame_due = glfwGetTime() + seconds_to_next_frame();
         for (bool due = false; !due;) {
-            const double seconds = std::min(frame_due - glfwGetTime(), seconds_a_tick);
-            if (seconds > 0) glfwWaitEventsTimeout(seconds);
+            const double to_frame = frame_due - glfwGetTime();
+            const double seconds = wants_tick(state_) ? std::min(to_frame, seconds_a_tick) : to_frame;
+            if (std::isfinite(seconds)) {
+                if (seconds > 0) glfwWaitEventsTimeout(seconds);
+            } else {
+                glfwWaitEvents();
+            }
             const bool ticked = tick();
             const bool answered = take_answers();
             due = window_.had_input() || ticked || answered || glfwGetTime() >= frame_due;
@@ -168,7 +168,7 @@ class Session {
         PanelTools tools;
         tools.scale = screen_.scale();
         tools.fonts = screen_.fonts();
-        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis(state_.canvas),
+        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis_of(state_.canvas),
                                               {.surround = surround(state_.shell.dark)});
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;

@@ -101,10 +101,13 @@ struct DragHandle {
 struct ReleaseHandle {};
 struct DropHandle {};  ///< all is as before it was grabbed
 
+/// What is selected is no more: an exception.
+struct EraseSelected {};
+
 using CanvasAction = std::variant<ResizeCanvas, FitView, ZoomView, PanView, PictureDerived, PictureFailed, ClickCanvas,
                                   SelectLevel, StepSelection, SelectNeighbour, ClearSelection, SelectionFound, HoverCanvas,
                                   LeaveCanvas, HoverRule, HoverTerminal, HoverItems, RuleLit, ShowOnion, BeforeDerived,
                                   ZoomToSelection, ActualSize, GrabHandle, DragHandle,
-                                  ReleaseHandle, DropHandle>;
+                                  ReleaseHandle, DropHandle, EraseSelected>;
 
 }  // namespace rinceau

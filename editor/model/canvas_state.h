@@ -2,25 +2,14 @@
 // What is looked at, and what is selected.
 
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "editor/model/handles.h"
+#include "editor/model/handle_edit.h"
 #include "editor/model/lit_items.h"
 #include "editor/model/selection.h"
 #include "editor/model/view_transform.h"
 
 namespace rinceau {
-
-/// A handle that is held.
-struct HandleDrag {
-    CanvasHandle handle;
-    Point from;        ///< scene: where it was grabbed ..
-    Point to;          ///< .. and is now
-    double turned = 0; ///< radians, counter-clockwise, that the mouse has gone around the centre of a ring
-    Selection before;  ///< what was selected
-    std::string told;  ///< what it does, "Row.count 3 -> 5"; empty = nothing yet
-};
 
 struct CanvasState {
     ViewTransform view;

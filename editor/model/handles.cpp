@@ -1,6 +1,7 @@
 #include "editor/model/handles.h"
 
 #include <algorithm>
+#include <array>
 
 #include "editor/model/handle_parts.h"
 
@@ -28,19 +29,25 @@ std::vector<GrammarNumber> free_numbers(const Document& document) {
 }  // namespace
 
 const char* handle_name(HandleKind kind) {
-    switch (kind) {
-        case HandleKind::count:
-            return "count";
-    }
-    return "";
+    constexpr std::array names{"count", "move", "radius", "turn", "scale", "branch"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::string handle_label(const CanvasHandle& handle, const Selection& selection) {
+    if (handle.numbers.empty()) return selection.path[handle.level].symbol + " here";
+    std::string label;
+    for (const GrammarNumber& number : handle.numbers) label += (label.empty() ? "" : ", ") + number.name;
+    return label;
 }
 
 std::vector<CanvasHandle> canvas_handles(const Document& document, const DerivedPicture& picture,
                                          const Selection& selection) {
     const PictureBoxes boxes(picture);
-    const HandleContext context{document, selection, boxes, free_numbers(document)};
+    const PointDrag drag(*document.grammar, *document.resolved, document.derive);
+    const HandleContext context{document, selection, boxes, drag, free_numbers(document)};
     std::vector<CanvasHandle> handles;
     add_count_handles(context, handles);
+    add_place_handles(context, handles);  // drawn over the counts: they are nearer to what is selected
     return handles;
 }
 

@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "editor/model/selection.h"
+#include "lsystem/numbers.h"
 
 namespace rinceau {
 
-enum class HandleKind : unsigned char { count };
+/// count: the end of a sequence, how many there are. move: a module, its way from the one before or from what it is part of.
+/// radius: the rim of a closed ring. turn, scale: about the place where a module begins; branch: both.
+enum class HandleKind : unsigned char { count, move, radius, turn, scale, branch };
 
 /// Where the handle of a sequence's count stands for each count.
 struct CountTrack {
@@ -22,16 +25,20 @@ struct CountTrack {
 struct CanvasHandle {
     HandleKind kind = HandleKind::count;
     Point at;                          ///< scene
-    std::vector<std::string> numbers;  ///< that it changes (lsystem/numbers.h), the first for all places alike ..
-    std::string own_number;            ///< .. and the one of this place alone, if that is another; else empty
-    std::size_t level = 0;             ///< of Selection::path: whose count or place it changes
-    CountTrack track;                  ///< HandleKind::count
+    std::size_t level = 0;  ///< of Selection::path: whose count or place it changes
+    std::vector<GrammarNumber> numbers;  ///< that it changes: count: one; else at most two; none = this place alone
+    std::string own_number;  ///< count: that of this place alone, if it is another one; else empty
+    CountTrack track;        ///< count
+    Point local;             ///< else: `at` in the turtle's frame at path[level]
 };
 
-/// "count", as part of a widget's name.
+/// "count", "move", .. as part of a widget's name.
 const char* handle_name(HandleKind kind);
 
-/// The handles of what is selected. The picture is that of the document.
+/// "Row.distance, Row.direction": what it changes; for one that changes no number "Window here".
+std::string handle_label(const CanvasHandle& handle, const Selection& selection);
+
+/// The handles of what is selected: the counts of all sequences on its path, its own place, size and direction. The picture is that of the document.
 std::vector<CanvasHandle> canvas_handles(const Document& document, const DerivedPicture& picture,
                                          const Selection& selection);
 

@@ -107,7 +107,7 @@ void add_count_handles(const HandleContext& context, std::vector<CanvasHandle>& 
         CanvasHandle handle;
         handle.kind = HandleKind::count;
         handle.level = level;
-        handle.numbers = {number->name};
+        handle.numbers = {*number};
         const GrammarNumber* own = number_of_count(context.numbers, module, true);
         if (own != nullptr && own->slots.size() < number->slots.size()) handle.own_number = own->name;
         handle.track = track_of(module, *step, center(box));

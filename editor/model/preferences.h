@@ -5,15 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "editor/model/shell_state.h"
-
 namespace rinceau {
 
 struct Preferences {
     bool dark = true;
-    float text_scale = 1;
-    PanelSizes sizes;
-    ShownPanels shown;
+    double scale = 0;  ///< of fonts and widgets; 0 = the display's
+    int window_width = 1280;
+    int window_height = 800;
     double autosave_seconds = 50;  ///< between two copies for emergencies
     std::vector<std::string> recent;
     std::string last_folder;

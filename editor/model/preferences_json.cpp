@@ -37,48 +37,14 @@ std::vector<std::string> texts_in(const Json& json, const char* name) {
     return texts;
 }
 
-float length_in(const Json& json, const char* name, float usual, float low, float high) {
-    return static_cast<float>(number_in(json, name, usual, low, high));
-}
-
-Json panels_json(const Preferences& preferences) {
-    const PanelSizes& sizes = preferences.sizes;
-    const ShownPanels& shown = preferences.shown;
-    return {{"left_width", sizes.left},
-            {"right_width", sizes.right},
-            {"log_height", sizes.log},
-            {"terminals_share", sizes.terminals_share},
-            {"left", shown.left},
-            {"terminals", shown.terminals},
-            {"analysis", shown.analysis},
-            {"right", shown.right},
-            {"log", shown.log}};
-}
-
-void read_panels(const Json& json, Preferences& preferences) {
-    PanelSizes& sizes = preferences.sizes;
-    ShownPanels& shown = preferences.shown;
-    constexpr float narrowest = 40;
-    constexpr float widest = 10'000;
-    sizes.left = length_in(json, "left_width", sizes.left, narrowest, widest);
-    sizes.right = length_in(json, "right_width", sizes.right, narrowest, widest);
-    sizes.log = length_in(json, "log_height", sizes.log, narrowest, widest);
-    sizes.terminals_share = length_in(json, "terminals_share", sizes.terminals_share, 0, 1);
-    shown.left = truth_in(json, "left", shown.left);
-    shown.terminals = truth_in(json, "terminals", shown.terminals);
-    shown.analysis = truth_in(json, "analysis", shown.analysis);
-    shown.right = truth_in(json, "right", shown.right);
-    shown.log = truth_in(json, "log", shown.log);
-}
-
 }  // namespace
 
 std::string to_json(const Preferences& preferences, std::string_view before) {
     Json json = Json::parse(before, nullptr, false);
     if (!json.is_object()) json = Json::object();
     json["dark"] = preferences.dark;
-    json["text_scale"] = preferences.text_scale;
-    json["panels"] = panels_json(preferences);
+    json["scale"] = preferences.scale;
+    json["window"] = {{"width", preferences.window_width}, {"height", preferences.window_height}};
     json["autosave_seconds"] = preferences.autosave_seconds;
     json["recent"] = preferences.recent;
     json["last_folder"] = preferences.last_folder;
@@ -94,13 +60,17 @@ PreferencesInFile parse_preferences(std::string_view text) {
         read.mistake = "is no JSON object";
         return read;
     }
-    constexpr float smallest_text = 0.5F;
-    constexpr float largest_text = 4;
+    constexpr double smallest_window = 320;
+    constexpr double largest_window = 32767;
+    constexpr double largest_scale = 8;
     constexpr double longest_wait = 60;  // a recovered document is never older
     preferences.dark = truth_in(json, "dark", preferences.dark);
-    preferences.text_scale = length_in(json, "text_scale", preferences.text_scale, smallest_text, largest_text);
-    const auto panels = json.find("panels");
-    if (panels != json.end()) read_panels(*panels, preferences);
+    preferences.scale = number_in(json, "scale", preferences.scale, 0, largest_scale);
+    const Json window = json.value("window", Json::object());
+    preferences.window_width =
+        static_cast<int>(number_in(window, "width", preferences.window_width, smallest_window, largest_window));
+    preferences.window_height =
+        static_cast<int>(number_in(window, "height", preferences.window_height, smallest_window, largest_window));
     preferences.autosave_seconds = number_in(json, "autosave_seconds", preferences.autosave_seconds, 1, longest_wait);
     preferences.recent = texts_in(json, "recent");
     preferences.last_folder = text_in(json, "last_folder");

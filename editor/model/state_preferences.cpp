@@ -5,9 +5,6 @@ namespace rinceau {
 Preferences current_preferences(const EditorState& state) {
     Preferences preferences = state.recovery.written;
     preferences.dark = state.shell.dark;
-    preferences.text_scale = state.shell.text_scale;
-    preferences.sizes = state.shell.sizes;
-    preferences.shown = state.shell.shown;
     preferences.recent = state.file.recent;
     preferences.last_folder = state.file.last_folder;
     return preferences;
@@ -17,11 +14,15 @@ void apply_preferences(EditorState& state, const Preferences& preferences) {
     state.recovery.written = preferences;
     state.recovery.interval = preferences.autosave_seconds;
     state.shell.dark = preferences.dark;
-    state.shell.text_scale = preferences.text_scale;
-    state.shell.sizes = preferences.sizes;
-    state.shell.shown = preferences.shown;
     state.file.recent = preferences.recent;
     state.file.last_folder = preferences.last_folder;
+}
+
+bool wants_tick(const EditorState& state) {
+    const RecoveryState& recovery = state.recovery;
+    const bool kept = recovery.kept && same_version(*recovery.kept, state.document);
+    const bool copy = has_unsaved_changes(state) ? !kept : recovery.kept.has_value();
+    return copy || recovery.writing || current_preferences(state) != recovery.written;
 }
 
 }  // namespace rinceau

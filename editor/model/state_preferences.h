@@ -10,4 +10,7 @@ Preferences current_preferences(const EditorState& state);
 
 void apply_preferences(EditorState& state, const Preferences& preferences);
 
+/// Is a Tick needed soon: is something not kept yet that is to survive a crash?
+bool wants_tick(const EditorState& state);
+
 }  // namespace rinceau

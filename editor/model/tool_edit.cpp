@@ -21,9 +21,26 @@ EditResult edited(const Document& document, const ReplaceEdit& edit) {
     return replace_symbols(*document.grammar, {edit.replacement}, options);
 }
 
+EditResult edited(const Document& document, const RingEdit& edit) {
+    return make_ring(*document.grammar, edit.symbol, edit.options);
+}
+EditResult edited(const Document& document, const RowEdit& edit) {
+    return make_row(*document.grammar, edit.symbol, edit.options);
+}
+EditResult edited(const Document& document, const InlineEdit& edit) { return inline_rule(*document.grammar, edit.symbol); }
+EditResult edited(const Document& document, const GroupEdit& edit) { return group_modules(*document.grammar, edit.options); }
+EditResult edited(const Document& document, const RestyleEdit& edit) {
+    return restyle_terminal(*document.grammar, edit.symbol, edit.style, edit.what);
+}
+
 std::string label_of(const RandomizeEdit&) { return "randomize"; }
 std::string label_of(const SymmetrizeEdit&) { return "symmetrize"; }
 std::string label_of(const ReplaceEdit& edit) { return "replace " + edit.replacement.symbol; }
+std::string label_of(const RingEdit& edit) { return "make " + edit.symbol + " a ring"; }
+std::string label_of(const RowEdit& edit) { return "make " + edit.symbol + " a row"; }
+std::string label_of(const InlineEdit& edit) { return "inline " + edit.symbol; }
+std::string label_of(const GroupEdit&) { return "group modules"; }
+std::string label_of(const RestyleEdit& edit) { return "paint " + edit.symbol; }
 
 }  // namespace
 

@@ -7,7 +7,11 @@
 #include <vector>
 
 #include "editor/model/document.h"
+#include "lsystem/edit_group.h"
+#include "lsystem/edit_inline.h"
 #include "lsystem/edit_replace.h"
+#include "lsystem/edit_ring.h"
+#include "lsystem/edit_styles.h"
 #include "lsystem/randomize.h"
 #include "lsystem/symmetrize.h"
 
@@ -24,7 +28,28 @@ struct ReplaceEdit {
     ReplaceOptions options;  ///< but for `derive` and `resolve`, which are the document's
 };
 
-using ToolEdit = std::variant<RandomizeEdit, SymmetrizeEdit, ReplaceEdit>;
+struct RingEdit {
+    std::string symbol;
+    RingOptions options;
+};
+struct RowEdit {
+    std::string symbol;
+    RowOptions options;
+};
+struct InlineEdit {
+    std::string symbol;
+};
+struct GroupEdit {
+    GroupOptions options;
+};
+struct RestyleEdit {
+    std::string symbol;
+    Style style;
+    RestyleWhat what = RestyleWhat::only_this;
+};
+
+using ToolEdit =
+    std::variant<RandomizeEdit, SymmetrizeEdit, ReplaceEdit, RingEdit, RowEdit, InlineEdit, GroupEdit, RestyleEdit>;
 
 std::shared_ptr<const ToolEdit> shared_edit(ToolEdit edit);
 
@@ -37,8 +62,8 @@ struct ToolResult {
     std::vector<std::string> changes;  ///< as EditResult::changes; empty = nothing is different
 };
 
-/// The edit, without what is locked (lsystem/keep_locked.h), checked (lsystem/check_edit.h). Throws as the edits, keep_locked()
-/// and checked_edit().
+/// The edit, without what is locked (lsystem/keep_locked.h), checked (lsystem/check_edit.h). Throws as the edits,
+/// keep_locked() and checked_edit().
 ToolResult use_tool(const Document& document, const ToolEdit& edit);
 
 /// Is using a tool on this document surely done before a frame is?

@@ -11,14 +11,28 @@
 
 namespace rinceau {
 
-enum class ToolSection : unsigned char { none, randomize, symmetrize, replace };
+enum class ToolSection : unsigned char { none, randomize, symmetrize, replace, ring, group, inline_rule };
 
 struct ReplaceSettings {
-    std::string symbol;  ///< empty = the first terminal
+    std::string symbol;  ///< empty = the selected one, or else the first terminal
     std::string with;    ///< as files/replacement_text.h
     ReplaceFit fit = ReplaceFit::inside;
     double turn = 0;  ///< degrees counter-clockwise
     bool restyle = false;
+    bool only_selected = false;  ///< the module that is selected on the canvas, and no other
+};
+
+/// Of rules that repeat themselves.
+struct RingSettings {
+    std::string symbol;   ///< empty = the first one
+    double radius = 0;    ///< 0 = neighbours stay as far apart as they are
+    double distance = 0;  ///< of a row, likewise
+};
+
+/// What is unfolded in the panel of terminals.
+struct TerminalSettings {
+    std::string opened;   ///< symbol; empty = none
+    bool shared = false;  ///< paints are those of all that share the style
 };
 
 /// What is set in the tools before they are used.
@@ -26,6 +40,10 @@ struct ToolSettings {
     RandomizeOptions noise;  ///< what was touched; the rest is as the grammar has it
     SymmetrizeOptions symmetrize;
     ReplaceSettings replace;
+    RingSettings ring;
+    std::string inlined;  ///< symbol; empty = the first one that can be
+    GroupOptions group;
+    TerminalSettings terminals;
 };
 
 /// An edit that is asked for.

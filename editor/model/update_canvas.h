@@ -38,5 +38,6 @@ void drag_on_canvas(Update& update, const GrabHandle& action);
 void drag_on_canvas(Update& update, const DragHandle& action);
 void drag_on_canvas(Update& update, const ReleaseHandle& action);
 void drag_on_canvas(Update& update, const DropHandle& action);
+void drag_on_canvas(Update& update, const EraseSelected& action);
 
 }  // namespace rinceau

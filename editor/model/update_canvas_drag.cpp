@@ -1,10 +1,11 @@
-// Dragging handles on the canvas.
+// Dragging handles on the canvas, and erasing what is selected.
 
 #include <cmath>
 
+#include "editor/model/handle_edit.h"
 #include "editor/model/update_canvas.h"
-#include "lsystem/numbers.h"
-#include "lsystem/set_numbers.h"
+#include "editor/model/update_rules.h"
+#include "lsystem/edit_exception.h"
 
 namespace rinceau {
 namespace {
@@ -12,28 +13,19 @@ namespace {
 /// What is previewed is taken back; the handle stays held.
 void show_unchanged(Update& update) {
     update.state.canvas.drag->told.clear();
-    if (update.state.preview) perform(update, RulesAction{DropPreview{}});
+    drop_preview(update);
 }
 
-void drag_count(Update& update, HandleDrag& drag, bool only_here) {
-    const CanvasHandle& handle = drag.handle;
-    const int count = dragged_count(handle.track, drag.to - (drag.from - handle.at), drag.turned);
-    if (count == handle.track.count) {
-        show_unchanged(update);
-        return;
-    }
-    const std::string& name = only_here && !handle.own_number.empty() ? handle.own_number : handle.numbers.front();
-    const NumberEdit edit{.name = name, .value = number_expression(count)};
-    drag.told = name + ' ' + std::to_string(handle.track.count) + " -> " + std::to_string(count);
-    preview_grammar(update, "set " + name, [&](const Grammar& grammar) { return set_numbers(grammar, {&edit, 1}); });
+std::optional<HandleEdit> edit_of_drag(const EditorState& state) {
+    return handle_edit(state.document, *state.canvas.drag, 1 / state.canvas.view.zoom);
 }
 
 }  // namespace
 
 void drag_on_canvas(Update& update, const GrabHandle& action) {
     CanvasState& canvas = update.state.canvas;
-    if (canvas.drag || !canvas.selection || action.index >= canvas.handles.size()) return;
-    canvas.drag = HandleDrag{canvas.handles[action.index], action.at, action.at, 0, *canvas.selection, {}};
+    if (canvas.drag || update.state.preview || !canvas.selection || action.index >= canvas.handles.size()) return;
+    canvas.drag = HandleDrag{canvas.handles[action.index], action.at, action.at, 0, false, *canvas.selection, {}};
 }
 
 void drag_on_canvas(Update& update, const DragHandle& action) {
@@ -42,18 +34,26 @@ void drag_on_canvas(Update& update, const DragHandle& action) {
     const Point center = drag.handle.track.center;
     drag.turned += wrap_angle(arg(action.to - center) - arg(drag.to - center));
     drag.to = action.to;
-    drag_count(update, drag, action.only_here);
+    drag.only_here = action.only_here;
+    const auto edit = edit_of_drag(update.state);
+    if (!edit) {
+        show_unchanged(update);
+        return;
+    }
+    drag.told = edit->told;
+    preview_grammar(update, edit->label, edit->make);
 }
 
 void drag_on_canvas(Update& update, const ReleaseHandle&) {
-    if (!update.state.canvas.drag) return;
-    const bool changed = update.state.preview.has_value();
-    update.state.canvas.drag.reset();
-    if (changed) {
-        perform(update, RulesAction{CommitPreview{}});
-    } else {
-        follow_selection(update);
-    }
+    EditorState& state = update.state;
+    if (!state.canvas.drag) return;
+    const auto edit = state.preview ? edit_of_drag(state) : std::nullopt;
+    const auto steps = state.history.past.size();
+    state.canvas.drag.reset();
+    if (edit) edit_grammar(update, edit->label, edit->make);
+    if (state.history.past.size() != steps && !state.preview) return;
+    drop_preview(update);
+    follow_selection(update);
 }
 
 void drag_on_canvas(Update& update, const DropHandle&) {
@@ -61,11 +61,17 @@ void drag_on_canvas(Update& update, const DropHandle&) {
     if (!canvas.drag) return;
     canvas.selection = canvas.drag->before;
     canvas.drag.reset();
-    if (update.state.preview) {
-        perform(update, RulesAction{DropPreview{}});
-    } else {
-        follow_selection(update);
-    }
+    drop_preview(update);
+    follow_selection(update);
+}
+
+void drag_on_canvas(Update& update, const EraseSelected&) {
+    const EditorState& state = update.state;
+    if (!state.canvas.selection || state.canvas.drag || state.preview) return;
+    const Selection selection = *state.canvas.selection;
+    edit_grammar(update, "erase " + selected_module(selection).symbol, [&](const Grammar& grammar) {
+        return erase_instance(grammar, selection.path, selection.level);
+    });
 }
 
 }  // namespace rinceau

@@ -61,7 +61,14 @@ void record_result(Update& update, const ToolEdit& edit, ToolResult result) {
     record_edit(update, with_result(state.document, edit, result), tool_label(edit));
 }
 
-void perform_one(Update& update, const OpenTool& action) { update.state.tools.open = action.section; }
+void perform_one(Update& update, const OpenTool& action) {
+    update.state.tools.open = action.section;
+    if (action.section == ToolSection::none) return;
+    ShellState& shell = update.state.shell;
+    shell.shown.right = true;
+    shell.right_tab = EditorPanel::tools;
+    shell.focus_wanted = EditorPanel::tools;
+}
 
 void perform_one(Update& update, const SetTools& action) { update.state.tools.settings = action.settings; }
 

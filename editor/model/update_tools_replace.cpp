@@ -13,6 +13,15 @@ void replace(Update& update, bool preview) {
     const ReplaceSettings& settings = tools.settings.replace;
     ReplaceEdit edit{*tools.read, {.fit = settings.fit, .turn = settings.turn, .restyle = settings.restyle}};
     edit.replacement.symbol = symbol_to_replace(update.state);
+    if (settings.only_selected) {
+        const std::vector<int> address = address_to_replace(update.state);
+        if (address.empty()) {
+            tell(update, MessageKind::mistake,
+                 "Nothing is selected that can be replaced alone: click an element on the canvas");
+            return;
+        }
+        edit.options.at = {address};
+    }
     ask_for_tool(update, shared_edit(std::move(edit)), preview);
 }
 

@@ -48,7 +48,8 @@ void draw_handle(const PanelTools& tools, ImVec2 at, ImU32 color, const std::str
 }
 
 std::string place_name(const CanvasHandle& handle) {
-    return std::string("handle/") + handle_name(handle.kind) + ' ' + handle.numbers.front();
+    const std::string what = handle.numbers.empty() ? "here" : handle.numbers.front().name;
+    return std::string("handle/") + handle_name(handle.kind) + ' ' + what;
 }
 
 void tell(const PanelTools& tools, ImVec2 at, const std::string& text) {
@@ -83,7 +84,7 @@ void draw_canvas_overlay(const EditorState& state, const PanelTools& tools, cons
     if (const auto& drag = state.canvas.drag) {
         const ImVec2 at = to_window(place, handle_place(state, drag->handle));
         draw_handle(tools, at, held_color, place_name(drag->handle));
-        tell(tools, at, drag->told.empty() ? drag->handle.numbers.front() : drag->told);
+        tell(tools, at, drag->told.empty() ? handle_label(drag->handle, drag->before) : drag->told);
         return;
     }
     for (const CanvasHandle& handle : state.canvas.handles)

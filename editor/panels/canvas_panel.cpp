@@ -13,6 +13,8 @@ constexpr float pan_a_notch = 40;    ///< pixels of a sideways wheel, at scale 1
 constexpr float click_reach = 3;     ///< pixels beside an element that still hit it, at scale 1
 constexpr float still_a_click = 4;   ///< pixels that the mouse may move in a click, at scale 1
 
+bool is_down(ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); }
+
 void zoom_and_pan(Actions& actions, const CanvasPlace& place, const PanelTools& tools) {
     const ImGuiIO& io = ImGui::GetIO();
     const Point mouse{io.MousePos.x - place.corner.x, io.MousePos.y - place.corner.y};
@@ -20,9 +22,10 @@ void zoom_and_pan(Actions& actions, const CanvasPlace& place, const PanelTools& 
     if (io.MouseWheelH != 0) actions.push_back(CanvasAction{PanView{{io.MouseWheelH * pan_a_notch * tools.scale, 0}}});
 }
 
-void pan_by_drag(Actions& actions, const EditorState& state) {
+/// The left button, too: a touchpad has no other that is as easy to hold.
+void pan_by_drag(Actions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool left = !state.canvas.drag && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left, is_down(ImGuiKey_Space) ? 0 : -1);
     const bool pans = left || ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
                       ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0);
     if (pans && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
@@ -47,8 +50,13 @@ void hover(Actions& actions, const EditorState& state, const PanelTools& tools, 
 void click(Actions& actions, const PanelTools& tools, const CanvasPlace& place) {
     const ImGuiIO& io = ImGui::GetIO();
     const float still = still_a_click * tools.scale;
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {  // its first click has gone one level up
+        actions.push_back(CanvasAction{StepSelection{2}});
+        return;
+    }
+    if (io.MouseClickedLastCount[ImGuiMouseButton_Left] > 1) return;
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || io.MouseDragMaxDistanceSqr[0] > still * still) return;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
+    if (is_down(ImGuiKey_Space)) return;
     actions.push_back(CanvasAction{ClickCanvas{from_window(place, io.MousePos), reach(tools, place), io.KeyAlt}});
 }
 
@@ -64,6 +72,8 @@ Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
     ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(tools.canvas_texture)), room, {0, 1}, {1, 0});
     note_place(tools, "canvas");
     const bool hovered = ImGui::IsItemHovered();
+    if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false))
+        actions.push_back(CanvasAction{StepSelection{1}});
     draw_canvas_overlay(state, tools, place);
     if (state.canvas.drag) {
         drag_handle(actions, state, place);
@@ -74,7 +84,7 @@ Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
         return actions;
     }
     zoom_and_pan(actions, place, tools);
-    pan_by_drag(actions, state);
+    pan_by_drag(actions);
     const int handle = handle_at(state, tools, place, ImGui::GetIO().MousePos);
     if (handle >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         const Point at = from_window(place, ImGui::GetIO().MousePos);

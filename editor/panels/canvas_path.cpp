@@ -1,8 +1,28 @@
 // The path of the selection: from the axiom down to the element.
 
+#include <algorithm>
+#include <array>
+
 #include "editor/panels/canvas_parts.h"
 
 namespace rinceau {
+
+namespace {
+
+void onion_button(Actions& actions, const EditorState& state, const PanelTools& tools) {
+    constexpr std::array labels{"Before: off", "Before and after", "Difference"};
+    constexpr std::size_t modes = labels.size();
+    const auto mode = static_cast<std::size_t>(state.canvas.onion);
+    const float width = ImGui::CalcTextSize(labels[1]).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(std::max(0.0F, ImGui::GetWindowContentRegionMax().x - width));
+    if (ImGui::Button(labels[mode], {width, 0}))
+        actions.push_back(CanvasAction{ShowOnion{static_cast<OnionMode>((mode + 1) % modes)}});
+    note_place(tools, "canvas/onion");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The drawing as it was opened: as a trace (B), or what looks different (D)");
+}
+
+}  // namespace
 
 Actions canvas_path_bar(const EditorState& state, const PanelTools& tools) {
     Actions actions;
@@ -10,6 +30,7 @@ Actions canvas_path_bar(const EditorState& state, const PanelTools& tools) {
     if (!selection) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("Click an element to see where it comes from");
+        onion_button(actions, state, tools);
         return actions;
     }
     const std::vector<std::size_t> levels = shown_levels(*selection);
@@ -30,6 +51,7 @@ Actions canvas_path_bar(const EditorState& state, const PanelTools& tools) {
         ImGui::PopID();
         if (here) ImGui::PopStyleColor();
     }
+    onion_button(actions, state, tools);
     return actions;
 }
 

@@ -44,19 +44,20 @@ QuestionText text_of(const UnsavedQuestion&, const EditorState& state) {
 QuestionText text_of(const ReplaceQuestion& question, const EditorState&) {
     std::string names;
     for (const std::string& name : question.names) names += name + '\n';
-    return {"Replace",
-            names + (question.names.size() > 1 ? "are there already." : "is there already."),
-            {{"Replace (R)", "ask/Replace", FileAnswer::replace, 'r'},
-             {"Cancel (Esc)", "ask/Cancel", FileAnswer::cancel, 'c'}}};
+    return {
+        "Replace",
+        names + (question.names.size() > 1 ? "are there already." : "is there already."),
+        {{"Replace (R)", "ask/Replace", FileAnswer::replace, 'r'}, {"Cancel (Esc)", "ask/Cancel", FileAnswer::cancel, 'c'}}};
 }
 
 QuestionText text_of(const ChangedQuestion& question, const EditorState&) {
-    return {"Changed by another program",
-            question.path + "\nis not as it was when it was opened here: another program, or another window, has written it.",
-            {{"Save as... (Enter)", "ask/SaveAs", FileAnswer::save_as, 's'},
-             {"Overwrite (O)", "ask/Overwrite", FileAnswer::replace, 'o'},
-             {"Cancel (Esc)", "ask/Cancel", FileAnswer::cancel, 'c'}},
-            FileAnswer::save_as};
+    return {
+        "Changed by another program",
+        question.path + "\nis not as it was when it was opened here: another program, or another window, has written it.",
+        {{"Save as... (Enter)", "ask/SaveAs", FileAnswer::save_as, 's'},
+         {"Overwrite (O)", "ask/Overwrite", FileAnswer::replace, 'o'},
+         {"Cancel (Esc)", "ask/Cancel", FileAnswer::cancel, 'c'}},
+        FileAnswer::save_as};
 }
 
 bool key(ImGuiKey_ which) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(which), false); }

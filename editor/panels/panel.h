@@ -1,6 +1,7 @@
 #pragma once
 // What every panel gets and gives: it takes the state, draws itself with Dear ImGui and returns what the user did.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct PanelTools {
     float scale = 1;                             ///< of fonts and widgets, in window coordinates
     EditorFonts fonts;                           ///< the usual one is set anyway
     unsigned canvas_texture = 0;                 ///< of PictureRenderer
+    std::function<unsigned(int)> thumbnail;      ///< texture of a look of the picture, 0 = not yet; null = there are none
     std::vector<WidgetPlace>* places = nullptr;  ///< null = nobody asks
 };
 

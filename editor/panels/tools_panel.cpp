@@ -16,7 +16,8 @@ bool tool_header(const EditorState& state, const PanelTools& tools, ToolSection 
         ImGui::SetNextItemOpen(true);
         actions.push_back(ToolsAction{OpenTool{ToolSection::none}});
     }
-    const bool open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_DefaultOpen);
+    const bool usual = section <= ToolSection::replace;
+    const bool open = ImGui::CollapsingHeader(label, usual ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
     note_place(tools, std::string("tools/") + label + " section");
     if (wanted) {
         ImGui::SetScrollHereY(0);
@@ -58,7 +59,8 @@ void symmetrize_section(const EditorState& state, const PanelTools& tools, Actio
         actions.push_back(ToolsAction{SetTools{settings}});
         actions.push_back(ToolsAction{UseTool{shared_edit(SymmetrizeEdit{settings.symmetrize}), true}});
     }
-    if (ImGui::Button("Symmetrize")) actions.push_back(ToolsAction{UseTool{shared_edit(SymmetrizeEdit{settings.symmetrize})}});
+    if (ImGui::Button("Symmetrize"))
+        actions.push_back(ToolsAction{UseTool{shared_edit(SymmetrizeEdit{settings.symmetrize})}});
     note_place(tools, "tools/Symmetrize");
 }
 
@@ -116,6 +118,10 @@ void replace_section(const EditorState& state, const PanelTools& tools, Actions&
         ImGui::SetTooltip(
             "Another symbol (Leaf, Ring(8)), a drawing (leaf.svg), a part of another grammar\n"
             "(vine.lsys#Leaf) or all of it (vine.lsys); nothing erases");
+    ImGui::BeginDisabled(address_to_replace(state).empty() && !replace.only_selected);
+    changed = ImGui::Checkbox("only the selected one", &replace.only_selected) || changed;
+    note_place(tools, "tools/Only the selected one");
+    ImGui::EndDisabled();
     bool moved = fit_combo(tools, replace.fit);
     constexpr float degrees_a_pixel = 1;
     moved = ImGui::DragScalar("turn", ImGuiDataType_Double, &replace.turn, degrees_a_pixel, nullptr, nullptr, "%.4g deg") ||
@@ -141,6 +147,9 @@ Actions tools_panel(const EditorState& state, const PanelTools& tools) {
     randomize_section(state, tools, actions);
     symmetrize_section(state, tools, actions);
     replace_section(state, tools, actions);
+    ring_section(state, tools, actions);
+    group_section(state, tools, actions);
+    inline_section(state, tools, actions);
     ImGui::PopItemWidth();
     return actions;
 }

@@ -14,5 +14,9 @@ bool tool_header(const EditorState& state, const PanelTools& tools, ToolSection 
 
 // Sections, each in the file of its name.
 void randomize_section(const EditorState& state, const PanelTools& tools, Actions& actions);
+// In tools_panel_rules.cpp.
+void ring_section(const EditorState& state, const PanelTools& tools, Actions& actions);
+void group_section(const EditorState& state, const PanelTools& tools, Actions& actions);
+void inline_section(const EditorState& state, const PanelTools& tools, Actions& actions);
 
 }  // namespace rinceau

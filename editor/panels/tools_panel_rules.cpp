@@ -78,7 +78,8 @@ std::string modules_text(const std::vector<ModuleTemplate>& string, int first, i
     for (int i = first; i <= last && text.size() < room; ++i) {
         const ModuleTemplate& module = string[static_cast<std::size_t>(i)];
         text += (text.empty() ? "" : " ") + module.symbol;
-        for (std::size_t k = 0; k < module.arguments.size(); ++k) text += (k == 0 ? "(" : ", ") + to_text(module.arguments[k]);
+        for (std::size_t k = 0; k < module.arguments.size(); ++k)
+            text += (k == 0 ? "(" : ", ") + to_text(module.arguments[k]);
         if (!module.arguments.empty()) text += ")";
     }
     return text.size() < room ? text : text + " ..";
@@ -108,7 +109,8 @@ void group_section(const EditorState& state, const PanelTools& tools, Actions& a
     const Grammar& grammar = *state.document.grammar;
     ToolSettings settings = state.tools.settings;
     GroupOptions& group = settings.group;
-    if (static_cast<std::size_t>(group.string.index) >= std::max<std::size_t>(1, grammar.productions.size())) group.string = {};
+    if (static_cast<std::size_t>(group.string.index) >= std::max<std::size_t>(1, grammar.productions.size()))
+        group.string = {};
     bool changed = string_choice(tools, grammar, group.string);
     const std::vector<ModuleTemplate>& string = string_at(grammar, group.string);
     if (string.empty()) return ImGui::TextDisabled("Nothing stands there");
@@ -132,7 +134,8 @@ void inline_section(const EditorState& state, const PanelTools& tools, Actions& 
     if (symbols.empty()) return ImGui::TextDisabled("No rule always applies without repeating itself");
     ToolSettings settings = state.tools.settings;
     settings.inlined = chosen(symbols, settings.inlined);
-    if (symbol_choice(tools, "tools/Inline rule", symbols, settings.inlined)) actions.push_back(ToolsAction{SetTools{settings}});
+    if (symbol_choice(tools, "tools/Inline rule", symbols, settings.inlined))
+        actions.push_back(ToolsAction{SetTools{settings}});
     tool_button(tools, "Inline the rule", InlineEdit{settings.inlined}, actions);
 }
 

@@ -79,7 +79,9 @@ TEST_CASE("folders are gone into, up and made, and a file is opened by its name 
     EditorDesk desk;
     desk.changeable().file.last_folder = folder.name();
     desk.act(DialogAction{ShowFileDialog{FilePurpose::open}});
-    const auto folder_shown = [&] { return desk.state().dialog.file->listing ? std::string() : desk.state().dialog.file->folder; };
+    const auto folder_shown = [&] {
+        return desk.state().dialog.file->listing ? std::string() : desk.state().dialog.file->folder;
+    };
     const auto shows = [&](const std::string& name) { return [&, name] { return folder_shown() == name; }; };
     const auto type = [&](const std::string& text) {
         desk.act(DialogAction{TypeInFileDialog{text}});

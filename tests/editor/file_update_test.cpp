@@ -55,8 +55,8 @@ TEST_CASE("whatever makes the document go asks first if it is not saved") {
         const Update saved = after(named.state, FileAction{FileSaved{"/a/b.lsys", named.state.document}});
         CHECK_FALSE(saved.state.dialog.file);
         CHECK_FALSE(saved.state.file.after_saving);
-        const bool went_on =
-            asked_for<ReadDocument>(saved) || asked_for<CloseWindow>(saved) || saved.state.document.grammar != before.document.grammar;
+        const bool went_on = asked_for<ReadDocument>(saved) || asked_for<CloseWindow>(saved) ||
+                             saved.state.document.grammar != before.document.grammar;
         CHECK(went_on);
         // Whoever gives up naming the file stays.
         const Update stayed = after(saving.state, DialogAction{CloseFileDialog{}});
@@ -125,7 +125,7 @@ TEST_CASE("a copy for emergencies is asked for at once, then once an interval, a
     state.recovery.last = 100;
     CHECK_FALSE(asked_for<WriteRecovery>(tick(101)));
     CHECK(wants_tick(state));
-    CHECK(asked_for<WriteRecovery>(tick(159)));  // never older than a minute
+    CHECK(asked_for<WriteRecovery>(tick(159)));         // never older than a minute
     CHECK_FALSE(asked_for<WriteRecovery>(tick(1000)));  // the last one is still being written
     state = after(state, RecoveryAction{RecoveryFailed{"disk full"}}).state;
     CHECK(state.messages.back().text.find("disk full") != std::string::npos);
@@ -150,9 +150,6 @@ TEST_CASE("preferences are written when they change and when the window closes")
 TEST_CASE("preferences come back as they were, and a broken file gives the usual ones") {
     Preferences preferences;
     preferences.dark = false;
-    preferences.text_scale = 1.5F;
-    preferences.sizes.left = 333;
-    preferences.shown.log = true;
     preferences.autosave_seconds = 20;
     preferences.recent = {"/a b/c.lsys", "/d.svg"};
     const std::string text = to_json(preferences, "{\"of another program\": [1]}");
@@ -169,5 +166,4 @@ TEST_CASE("preferences come back as they were, and a broken file gives the usual
     CHECK(odd.mistake.empty());
     CHECK(odd.preferences.recent == std::vector<std::string>{"/x"});
     CHECK(odd.preferences.autosave_seconds == Preferences{}.autosave_seconds);
-    CHECK(odd.preferences.text_scale == 1);
 }

@@ -124,7 +124,8 @@ TEST_CASE("copies are discarded or kept for later as the user says, and a broken
     EditorDesk desk(kept);
     look(desk);
     REQUIRE(desk.state().recovery.found.size() == 2);
-    const auto broken = std::ranges::find_if(desk.state().recovery.found, [](const auto& entry) { return !entry.mistake.empty(); });
+    const auto broken =
+        std::ranges::find_if(desk.state().recovery.found, [](const auto& entry) { return !entry.mistake.empty(); });
     REQUIRE(broken != desk.state().recovery.found.end());
     desk.act(RecoveryAction{DiscardRecoverable{broken->file}});
     CHECK(desk.state().recovery.found.size() == 1);

@@ -93,7 +93,7 @@ TEST_CASE("the title names the file and marks unsaved changes") {
 }
 
 TEST_CASE("the trace is JSON that holds what the window shows") {
-    const std::string json = to_json({.title = "a \"b\"", .frame = 7, .width = 3, .height = 4, .widgets = {{"x/y", 1, 2, 3, 4}}});
+    const std::string json = to_json(WindowTrace{.title = "a \"b\"", .frame = 7, .width = 3, .height = 4, .widgets = {{"x/y", 1, 2, 3, 4}}});
     CHECK(json.find("\"framebuffer\":[3,4]") != std::string::npos);
     CHECK(json.find("\"name\":\"x/y\"") != std::string::npos);
     CHECK(json.find("a \\\"b\\\"") != std::string::npos);

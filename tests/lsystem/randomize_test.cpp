@@ -272,3 +272,53 @@ TEST_CASE("symmetrizing makes neighbouring rules and branches agree where they n
         "axiom: [X(5)] [Y(5)]\nX(m) : m > 0 -> [A] f(10) X(m-1)\nY(m) : m > 0 -> [A] f(12) Y(m-1)\n";
     CHECK(symmetrize(grammar_of(different + leaf)).changes.empty());
 }
+
+TEST_CASE("uniform noise stays within its limits, is found again and taken away") {
+    for (const std::string& body : {facade, ring, tree, helix}) {
+        const Grammar grammar = grammar_of(body);
+        const RandomizeOptions options{.angle = 5,
+                                       .distance = 0.1,
+                                       .scale = 0.2,
+                                       .angle_distribution = NoiseDistribution::uniform,
+                                       .distance_distribution = NoiseDistribution::uniform,
+                                       .scale_distribution = NoiseDistribution::uniform};
+        const Grammar noisy = parse_grammar(to_text(randomize(grammar, options).grammar));
+        CHECK(to_text(noisy).find("normal") == std::string::npos);
+        CHECK(noise_in(noisy).angle == Noise{NoiseDistribution::uniform, 5});
+        CHECK(to_text(without_noise(noisy)) == to_text(grammar));
+        CHECK(to_text(randomize(noisy, {.angle = 5, .distance = 0.1, .scale = 0.2}).grammar) ==
+              to_text(randomize(grammar, {.angle = 5, .distance = 0.1, .scale = 0.2}).grammar));
+    }
+    const Grammar noisy =
+        randomize(grammar_of(ring), {.angle = 5, .angle_distribution = NoiseDistribution::uniform}).grammar;
+    CHECK(rules(noisy) == "Ring(m) : m > 0 -> [+(uniform(-5, 5)) f(50) A] +(30) Ring(m-1)\n");
+    const Grammar less = set(noisy, "Ring.A.angle_noise=2");
+    CHECK(rules(less) == "Ring(m) : m > 0 -> [+(uniform(-2, 2)) f(50) A] +(30) Ring(m-1)\n");
+    for (const auto& [address, pose] : placed(less)) {
+        const double off = heading(pose) / 30 - std::round(heading(pose) / 30);
+        CHECK(std::abs(off) * 30 <= 2);
+    }
+    const Grammar helical =
+        randomize(grammar_of(helix), {.angle = 5, .angle_distribution = NoiseDistribution::uniform}).grammar;
+    CHECK(rules(set(helical, "P.turn_noise=1")).find("uniform(-1, 1)") != std::string::npos);
+}
+
+TEST_CASE("single numbers have noise of their own") {
+    const Grammar grammar = grammar_of(helix);
+    const RandomizeOptions options{.angle = 5, .named = {{"P.distance", {NoiseDistribution::uniform, 0.3}}, {"P.turn", {}}}};
+    const Grammar noisy = randomize(grammar, options).grammar;
+    CHECK(rules(noisy) == "P(m) : m > 0 -> A f(27.5*(1+uniform(-0.3, 0.3))) *(0.993) +(8.5) P(m-1)\n");
+    CHECK_THROWS_AS(randomize(grammar, {.named = {{"P.count", {}}}}), InputError);
+    for (const GrammarNumber& number : grammar_numbers(noisy))
+        if (number.name == "P.distance") CHECK(noise_on(noisy, number) == Noise{NoiseDistribution::uniform, 0.3});
+}
+
+TEST_CASE("what is nearly regular is a matter of the tolerance") {
+    const Grammar bent =
+        grammar_of("axiom: Ring(12)\nRing(m) : m > 0 -> [f(50) A] +(28.8) Ring(m-1)\n" + leaf);  // 14.4 open
+    CHECK(to_text(symmetrize(bent).grammar) == to_text(bent));
+    CHECK(rules(symmetrize(bent, {.tolerance = 2}).grammar) == "Ring(m) : m > 0 -> [f(50) A] +(30) Ring(m-1)\n");
+    const Grammar nearly = grammar_of("axiom: Ring(12)\nRing(m) : m > 0 -> [f(50) A] +(29.5) Ring(m-1)\n" + leaf);
+    CHECK(to_text(symmetrize(nearly, {.tolerance = 0}).grammar) == to_text(nearly));
+    CHECK(to_text(symmetrize(nearly).grammar) != to_text(nearly));
+}
