@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "editor/model/project.h"
@@ -32,6 +33,15 @@ Json used_json(const Document& document) {
     return used;
 }
 
+Json grouping_json(const std::vector<GroupingWish>& grouping) {
+    Json wishes = Json::array();
+    for (const GroupingWish& wish : grouping) {
+        const char* kind = wish.kind == GroupingKind::together ? "together" : "apart";
+        wishes.push_back({{"kind", kind}, {"elements", wish.elements}});
+    }
+    return wishes;
+}
+
 Json analysis_json(const AnalyzeOptions& options) {
     return {{"tolerance", options.tolerance},
             {"similarity",
@@ -45,7 +55,8 @@ Json analysis_json(const AnalyzeOptions& options) {
               {"length", options.weights.length}}},
             {"objective", options.objective == Objective::bits ? "bits" : "paper"},
             {"symmetrize", options.symmetrize},
-            {"stochastic", options.stochastic}};
+            {"stochastic", options.stochastic},
+            {"grouping", grouping_json(options.grouping)}};
 }
 
 Json stamp_json(const FileStamp& stamp) {
@@ -62,9 +73,20 @@ Json origin_json(const ProjectOrigin& origin) {
 
 // ---- reading
 
+GroupingWish wish_in(const JsonValue& value) {
+    value.expect_keys({"kind", "elements"});
+    const JsonValue kind = value.member("kind");
+    if (kind.text() != "together" && kind.text() != "apart") kind.fail("\"together\" or \"apart\"");
+    GroupingWish wish{kind.text() == "together" ? GroupingKind::together : GroupingKind::apart, {}};
+    value.member("elements").each([&](const JsonValue& element) {
+        wish.elements.push_back(element.whole(0, std::numeric_limits<int>::max()));
+    });
+    return wish;
+}
+
 AnalyzeOptions analysis_in(const JsonValue& value) {
     AnalyzeOptions options;
-    value.expect_keys({"tolerance", "similarity", "weights", "objective", "symmetrize", "stochastic"});
+    value.expect_keys({"tolerance", "similarity", "weights", "objective", "symmetrize", "stochastic", "grouping"});
     options.tolerance = value.member("tolerance").number();
     const JsonValue similarity = value.member("similarity");
     options.similarity.tolerance = similarity.member("tolerance").number();
@@ -80,6 +102,8 @@ AnalyzeOptions analysis_in(const JsonValue& value) {
     options.objective = objective.text() == "bits" ? Objective::bits : Objective::paper;
     options.symmetrize = value.member("symmetrize").truth();
     options.stochastic = value.member("stochastic").truth();
+    if (value.has("grouping"))
+        value.member("grouping").each([&](const JsonValue& wish) { options.grouping.push_back(wish_in(wish)); });
     return options;
 }
 
