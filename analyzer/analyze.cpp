@@ -46,8 +46,9 @@ struct Proof {
 };
 
 Proof proof_of(const Drawing& drawing, const Description& description, const Overlaps& overlaps,
-               const AnalyzeOptions& options) {
+               const AnalyzeOptions& options, const Progress& progress) {
     Proof proof;
+    report(progress, "check", 0);
     if (options.symmetrize || options.stochastic) {
         const Instancing& instancing = description.reading->instancing;
         const Grammar layout =
@@ -60,8 +61,9 @@ Proof proof_of(const Drawing& drawing, const Description& description, const Ove
         return proof;
     }
     proof.layered = with_paint_order(description.exact, description.written.element_of_leaf, overlaps);
+    report(progress, "check", 0);
     proof.grammar = parse_grammar(to_text(proof.layered));
-    proof.check = verify(proof.grammar, drawing.scene, overlaps, {.threads = options.threads});
+    proof.check = verify(proof.grammar, drawing.scene, overlaps, {.threads = options.threads}, progress);
     return proof;
 }
 
@@ -90,6 +92,11 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
     report_out.seconds.similarity = prepared.seconds;
     report_out.symmetrized = options.symmetrize;
     report_out.stochastic = options.stochastic;
+    if (prepared.redrawn > 0) {
+        report_out.warnings.push_back(std::to_string(prepared.redrawn) +
+                                      (prepared.redrawn == 1 ? " element is" : " elements are") +
+                                      " drawn as another one, with which it was merged by hand");
+    }
     Stopwatch watch;
     const Overlaps& overlaps = prepared.overlaps;
     // Two readings: equal shapes in other styles are other looks, or one look with its colours as arguments.
@@ -120,10 +127,10 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
         const bool last = tried == descriptions.size();
         if (last) descriptions.push_back(flat_description(drawings.front()));
         const Description& description = descriptions[tried];
-        Proof proof = proof_of(drawings.front(), description, overlaps, options);
+        Proof proof = proof_of(drawings.front(), description, overlaps, options, progress);
         if (proof.check.passed && !looks_the_same(drawings.front(), proof, options.threads)) {
             // What hardly shows once shows when it comes by the hundred: these orders are kept as well.
-            proof = proof_of(drawings.front(), description, with_faint_pairs(overlaps), options);
+            proof = proof_of(drawings.front(), description, with_faint_pairs(overlaps), options, progress);
         }
         const DescriptionBits bits = bits_of(description, proof.layered);
         report_out.check = std::move(proof.check);

@@ -4,33 +4,18 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <future>
 #include <iterator>
-#include <thread>
 
 #include "analyzer/regular_drawing.h"
+#include "geometry/parallel.h"
 
 namespace rinceau {
 
 namespace {
 
-/// Calls `task(k, progress)` for k = 0 .. count - 1 on as many threads as there may be, the calling one among them: only
-/// this one tells of its progress.
-void run_tasks(std::size_t count, int threads, const Progress& progress,
-               const std::function<void(std::size_t, const Progress&)>& task) {
-    const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const auto together = std::min(count, static_cast<std::size_t>(threads > 0 ? threads : available));
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&](const Progress& told) {
-        for (std::size_t k = next++; k < count; k = next++) task(k, told);
-    };
-    std::vector<std::future<void>> others;
-    for (std::size_t k = 1; k < together; ++k) {
-        others.push_back(std::async(std::launch::async, [&] { work({}); }));
-    }
-    work(progress);
-    for (auto& other : others) other.get();
-}
+/// Stage and share that are told while no count of it is at hand.
+constexpr const char* stage = "rules";
+constexpr double nearly_done = 0.99;
 
 /// Is the whole drawing one row of one thing, or rows of one row, moved only and exactly? What a person sees is found then,
 /// and nothing says less: no need to look any further.
@@ -73,7 +58,7 @@ class Describer {
 
     std::vector<Description> run(int threads, const Progress& progress) {
         const Opening below = opening_from_below();
-        run_tasks(from_below_.size(), threads, progress, [&](std::size_t way, const Progress& told) {
+        for_each_index(from_below_.size(), threads, stage, progress, [&](std::size_t way, const Progress& told) {
             try {
                 describe_from_below(below, way, told);
             } catch (const Settled&) {
@@ -101,7 +86,9 @@ class Describer {
     std::optional<Description> described(const Opening& opening, std::size_t way, const Progress& told) const {
         std::optional<SearchState> opened = opening.open(start(way), search_, told);
         if (!opened) return std::nullopt;
+        report(told, stage, nearly_done);
         SearchState found = generate_rules(std::move(*opened), search_, told);
+        report(told, stage, nearly_done);
         auto description = describe(drawings_[way / tolerances()], std::move(found.rules), start(way).tolerance.size);
         if (!description) return std::nullopt;
         description->if_longer = opening.if_longer;
@@ -110,9 +97,9 @@ class Describer {
     }
 
     void describe_from_below(const Opening& below, std::size_t way, const Progress& told) {
-        const Progress until_settled = [&](std::string_view stage, double fraction) {
+        const Progress until_settled = [&](std::string_view now, double fraction) {
             if (settled_) throw Settled{};
-            report(told, stage, fraction);
+            report(told, now, fraction);
         };
         if (settled_) return;
         from_below_[way] = described(below, way, until_settled);
@@ -144,11 +131,12 @@ class Describer {
     void describe_opened(int threads, const Progress& progress) {
         const std::vector<std::size_t> ways = ways_to_open();
         std::vector<std::vector<Opening>> openings(ways.size());
-        run_tasks(ways.size(), threads, {}, [&](std::size_t k, const Progress&) { openings[k] = openings_of(start(ways[k])); });
+        for_each_index(ways.size(), threads, stage, progress,
+                       [&](std::size_t k, const Progress&) { openings[k] = openings_of(start(ways[k])); });
         for (std::size_t k = 0; k < ways.size(); ++k) {
             for (Opening& opening : openings[k]) opened_.push_back({ways[k], std::move(opening), std::nullopt});
         }
-        run_tasks(opened_.size(), threads, progress, [&](std::size_t k, const Progress& told) {
+        for_each_index(opened_.size(), threads, stage, progress, [&](std::size_t k, const Progress& told) {
             opened_[k].description = described(opened_[k].opening, opened_[k].way, told);
         });
     }

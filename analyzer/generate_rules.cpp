@@ -99,6 +99,7 @@ class Search {
     void propose_everything() {
         std::vector<int> everything;
         for (std::size_t p = 0; p < state_.members.size(); ++p) {
+            tell();
             propose_sequences_of(static_cast<int>(p));
             everything.insert(everything.end(), state_.members[p].begin(), state_.members[p].end());
         }
@@ -125,6 +126,7 @@ class Search {
             Candidate& candidate = candidates_[entry.candidate];
             if (candidate.dead || entry.score <= 0 || is_outdated(candidate)) continue;
             if (!is_current(candidate)) {
+                tell();
                 candidate.evaluation = evaluate(state_, grids_, candidate.hypothesis, options_, queue_.size());
                 candidate.evaluated = true;
                 candidate.version_from = version(candidate.hypothesis.from);
@@ -167,9 +169,11 @@ class Search {
         for (const int part : made.touched_parts) ++version(part);
         propose_anew(made);
         consumed_ += static_cast<double>(made.new_items.size());
-        report(progress_, "rules", 1 - 1 / (1 + consumed_ / 10));
+        tell();
         return true;
     }
+
+    void tell() const { report(progress_, "rules", 1 - 1 / (1 + consumed_ / 10)); }
 
     void propose_anew(const Substitution& made) {
         // Parts that lost items: the hypotheses about what is left may have been hidden before.

@@ -63,10 +63,13 @@ std::vector<Path> as_filled(std::vector<Path> paths) {
     return paths;
 }
 
+constexpr const char* stage = "check";
+
 class Matcher {
   public:
-    Matcher(const Scene& scene, const Scene& drawn, double tolerance, int threads)
-        : scene_(scene),
+    Matcher(const Scene& scene, const Scene& drawn, double tolerance, int threads, const Progress& progress)
+        : progress_(progress),
+          scene_(scene),
           drawn_(drawn),
           tolerance_(tolerance),
           reach_(reach_in_tolerances * tolerance),
@@ -93,6 +96,7 @@ class Matcher {
         std::size_t drawn;
     };
 
+    const Progress& progress_;
     const Scene& scene_;
     const Scene& drawn_;
     double tolerance_;
@@ -202,6 +206,7 @@ class Matcher {
     void match_exact() {
         const double exact = exact_in_tolerances * tolerance_;
         for (std::size_t i = 0; i < scene_.elements.size(); ++i) {
+            report(progress_, stage, 0);
             if (!open(i)) continue;
             std::size_t best = drawn_.elements.size();
             double best_deviation = 0;
@@ -245,7 +250,7 @@ class Matcher {
             if (open(i)) still_open.push_back(i);
         }
         std::vector<std::vector<Candidate>> by_element(still_open.size());
-        for_each_index(still_open.size(), threads_, [&](std::size_t k) {
+        for_each_index(still_open.size(), threads_, stage, progress_, [&](std::size_t k, const Progress&) {
             const std::size_t i = still_open[k];
             for (const std::size_t j : nearest_free(i, same_style_only)) {
                 const double found = deviation(i, j);
@@ -276,8 +281,9 @@ class Matcher {
 
 }  // namespace
 
-std::vector<DrawnMatch> match_drawn(const Scene& scene, const Scene& drawn, double tolerance, int threads) {
-    return Matcher(scene, drawn, tolerance, threads).run();
+std::vector<DrawnMatch> match_drawn(const Scene& scene, const Scene& drawn, double tolerance, int threads,
+                                    const Progress& progress) {
+    return Matcher(scene, drawn, tolerance, threads, progress).run();
 }
 
 }  // namespace rinceau

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/progress.h"
 #include "scene/element.h"
 
 namespace rinceau {
@@ -17,6 +18,7 @@ struct DrawnMatch {
 /// that deviate by 4 tolerances or more do not match. Verbatim elements match when they are equal byte for byte.
 /// `tolerance` is a scene length; it is also what numbers of styles may differ by. Gradients are compared where they are
 /// seen. `threads`: 0 = one per processor; the result is the same for any number.
-std::vector<DrawnMatch> match_drawn(const Scene& scene, const Scene& drawn, double tolerance, int threads = 0);
+std::vector<DrawnMatch> match_drawn(const Scene& scene, const Scene& drawn, double tolerance, int threads = 0,
+                                    const Progress& progress = {});
 
 }  // namespace rinceau

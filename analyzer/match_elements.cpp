@@ -80,6 +80,8 @@ double allowed_deviation(double rms_radius, double diagonal, const SimilarityOpt
 
 double dot_unit(const Style& style) { return paints_stroke(style) ? style.stroke.width : 1.0; }
 
+constexpr const char* stage = "similarity";
+
 /// The work of match_elements, one member function a step.
 class ElementMatcher {
   public:
@@ -93,12 +95,12 @@ class ElementMatcher {
     }
 
     ShapeMatching run(const Progress& progress) {
-        collect_outlines();
-        describe_outlines();
+        collect_outlines(progress);
+        describe_outlines(progress);
         const OutlineClasses classes = classify_outlines(items_, class_options(), progress);
         place_elements(classes);
         number_by_appearance();
-        find_symmetries();
+        find_symmetries(progress);
         return std::move(matching_);
     }
 
@@ -110,10 +112,10 @@ class ElementMatcher {
                 options_.mirrored_copies};
     }
 
-    void collect_outlines() {
+    void collect_outlines(const Progress& progress) {
         MovedCopies copies;
         outlines_.resize(scene_.elements.size());
-        for_each_index(outlines_.size(), options_.threads, [&](std::size_t i) {
+        for_each_index(outlines_.size(), options_.threads, stage, progress, [&](std::size_t i, const Progress&) {
             const Element& element = scene_.elements[i];
             if (element.verbatim.empty()) outlines_[i] = outline_of(element.paths, element.style);
         });
@@ -122,9 +124,9 @@ class ElementMatcher {
         }
     }
 
-    void describe_outlines() {
+    void describe_outlines(const Progress& progress) {
         std::vector<Descriptor> descriptors(outlines_.size());
-        for_each_index(outlines_.size(), options_.threads, [&](std::size_t i) {
+        for_each_index(outlines_.size(), options_.threads, stage, progress, [&](std::size_t i, const Progress&) {
             if (first_copy_[i] == static_cast<int>(i)) descriptors[i] = describe(outlines_[i]);
         });
         for (std::size_t i = 0; i < outlines_.size(); ++i) {
@@ -190,7 +192,7 @@ class ElementMatcher {
 
     /// A symmetry may be used by every member, so the largest member says how exact it must be; and it adds to the member's
     /// own deviation, hence half the share of the diagonal.
-    void find_symmetries() {
+    void find_symmetries(const Progress& progress) {
         std::vector<double> largest(matching_.classes.size(), 0);
         for (const ShapeMatch& match : matching_.matches)
             if (match.shape >= 0) {
@@ -198,6 +200,7 @@ class ElementMatcher {
                 r = std::max(r, scale_of(match.pose));
             }
         for (std::size_t c = 0; c < matching_.classes.size(); ++c) {
+            report(progress, stage, 1);
             ShapeClass& shape = matching_.classes[c];
             const int item = item_of_[static_cast<std::size_t>(shape.representative)];
             if (item < 0) continue;

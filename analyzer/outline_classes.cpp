@@ -94,7 +94,7 @@ class Classifier {
     /// Leaders in the order of the items.
     void cluster(const Progress& progress) {
         for (std::size_t i = 0; i < items_.size(); ++i) {
-            constexpr std::size_t report_every = 1024;
+            constexpr std::size_t report_every = 16;
             if (i % report_every == 0)
                 report(progress, "similarity", static_cast<double>(i) / static_cast<double>(items_.size()));
             Candidate item(items_[i]);
@@ -104,12 +104,13 @@ class Classifier {
 
     /// Members of small groups move to groups at least four times as large that would take them: noise at the border of a
     /// leader's reach leaves such fragments.
-    void merge_fragments() {
+    void merge_fragments(const Progress& progress) {
         constexpr int times_larger = 4;
         std::vector<int> order(groups_.size());
         std::iota(order.begin(), order.end(), 0);
         std::ranges::stable_sort(order, {}, [&](int g) { return size_of(g); });
         for (const int small : order) {
+            report(progress, "similarity", 1);
             const int size = size_of(small);
             std::vector<int> kept;
             for (const int m : groups_[static_cast<std::size_t>(small)].members) {
@@ -122,8 +123,9 @@ class Classifier {
     }
 
     /// Makes the most typical member, of the fewest segments, the representative where all others match it.
-    void elect_representatives() {
+    void elect_representatives(const Progress& progress) {
         for (OutlineGroup& group : groups_) {
+            report(progress, "similarity", 1);
             if (group.members.size() < 2) continue;
             const int elected = typical_member(group);
             if (elected != group.representative) realign(group, elected);
@@ -131,10 +133,11 @@ class Classifier {
     }
 
     /// Least squares against the representative for all that are not exact copies.
-    void refine() {
+    void refine(const Progress& progress) {
         for (const OutlineGroup& group : groups_) {
             std::optional<Candidate> representative;
             for (const int m : group.members) {
+                report(progress, "similarity", 1);
                 OutlineMember& member = members_[static_cast<std::size_t>(m)];
                 if (m == group.representative || member.residual <= exact_residual) continue;
                 if (!representative) representative.emplace(items_[static_cast<std::size_t>(group.representative)]);
@@ -284,9 +287,9 @@ OutlineClasses classify_outlines(const std::vector<OutlineItem>& items, const Ou
                                  const Progress& progress) {
     Classifier classifier(items, options);
     classifier.cluster(progress);
-    classifier.merge_fragments();
-    classifier.elect_representatives();
-    classifier.refine();
+    classifier.merge_fragments(progress);
+    classifier.elect_representatives(progress);
+    classifier.refine(progress);
     return std::move(classifier).result();
 }
 

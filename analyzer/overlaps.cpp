@@ -148,8 +148,11 @@ Look look_at_pair(const Search& search, const OverlapPair& pair) {
     return {order.visible ? OrderMatters::visibly : OrderMatters::faintly, order.samples};
 }
 
+constexpr const char* stage = "overlaps";
+
 /// What is found for pairs of outlined elements, in their order.
-std::vector<OrderMatters> look_at_pairs(Search& search, const std::vector<OverlapPair>& pairs, int threads) {
+std::vector<OrderMatters> look_at_pairs(Search& search, const std::vector<OverlapPair>& pairs, int threads,
+                                        const Progress& progress) {
     // Outlines, once for each element.
     std::vector<std::size_t> needed;
     for (const OverlapPair& pair : pairs) {
@@ -157,7 +160,7 @@ std::vector<OrderMatters> look_at_pairs(Search& search, const std::vector<Overla
     }
     std::ranges::sort(needed);
     needed.erase(std::ranges::unique(needed).begin(), needed.end());
-    for_each_index(needed.size(), threads, [&](std::size_t k) {
+    for_each_index(needed.size(), threads, stage, progress, [&](std::size_t k, const Progress&) {
         const std::size_t i = needed[k];
         search.painted[i] = painted_element(search.scene.elements[i], sampling_deviation(search.pixels[i]));
     });
@@ -166,7 +169,11 @@ std::vector<OrderMatters> look_at_pairs(Search& search, const std::vector<Overla
     std::vector<Look> looks(pairs.size());
     for (std::size_t begin = 0; begin < pairs.size(); begin += portion) {
         const std::size_t count = std::min(portion, pairs.size() - begin);
-        for_each_index(count, threads, [&](std::size_t k) { looks[begin + k] = look_at_pair(search, pairs[begin + k]); });
+        const double done = static_cast<double>(begin) / static_cast<double>(pairs.size());
+        for_each_index(count, threads, stage, progress, [&](std::size_t k, const Progress& told) {
+            report(told, stage, done);
+            looks[begin + k] = look_at_pair(search, pairs[begin + k]);
+        });
         for (std::size_t k = begin; k < begin + count; ++k) {
             search.samples_left -= std::min(search.samples_left, looks[k].samples);
         }
@@ -177,7 +184,8 @@ std::vector<OrderMatters> look_at_pairs(Search& search, const std::vector<Overla
 }
 
 /// For pairs with meeting boxes, in their order. Pairs of copies at equal offsets are looked at once.
-std::vector<OrderMatters> orders_that_matter(Search& search, const std::vector<OverlapPair>& pairs, int threads) {
+std::vector<OrderMatters> orders_that_matter(Search& search, const std::vector<OverlapPair>& pairs, int threads,
+                                             const Progress& progress) {
     constexpr int always = -1;
     const std::vector<Element>& elements = search.scene.elements;
     std::vector<OverlapPair> looked_at;
@@ -194,7 +202,7 @@ std::vector<OrderMatters> orders_that_matter(Search& search, const std::vector<O
         if (look == static_cast<int>(looked_at.size())) looked_at.push_back(pair);
         look_of_pair.push_back(look);
     }
-    const std::vector<OrderMatters> looks = look_at_pairs(search, looked_at, threads);
+    const std::vector<OrderMatters> looks = look_at_pairs(search, looked_at, threads, progress);
     std::vector<OrderMatters> found;
     for (const int look : look_of_pair) {
         found.push_back(look == always ? OrderMatters::visibly : looks[static_cast<std::size_t>(look)]);
@@ -250,7 +258,8 @@ void keep_nearest_in_order(std::vector<OverlapPair>& pairs, std::size_t count) {
 
 }  // namespace
 
-Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options) {
+Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options, const Progress& progress) {
+    report(progress, stage, 0);
     Search search = start_search(scene, options);
     const std::size_t limit = candidates_per_pair * options.max_pairs;
     Overlaps found;
@@ -261,7 +270,7 @@ Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options) {
         found.complete = false;
         candidates = meeting_boxes_within(search, std::max<std::size_t>(1, limit / scene.elements.size()));
     }
-    const std::vector<OrderMatters> matters = orders_that_matter(search, candidates, options.threads);
+    const std::vector<OrderMatters> matters = orders_that_matter(search, candidates, options.threads, progress);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         if (matters[k] == OrderMatters::visibly) found.pairs.push_back(candidates[k]);
         if (matters[k] == OrderMatters::faintly) found.faint.push_back(candidates[k]);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/progress.h"
 #include "scene/element.h"
 
 namespace rinceau {
@@ -44,6 +45,6 @@ struct OverlapOptions {
 /// drawing's picture: exchanged, the two alone give another picture; elements that only touch, have the same colour where
 /// they overlap, or overlap by a fraction of a pixel are not in `pairs`. A verbatim element fills its box; of unknown
 /// extent, it overlaps everything; its order always counts.
-Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options = {});
+Overlaps find_overlaps(const Scene& scene, const OverlapOptions& options = {}, const Progress& progress = {});
 
 }  // namespace rinceau

@@ -24,6 +24,25 @@ std::vector<double> tolerances(const AnalyzeOptions& options, std::size_t elemen
     return {std::begin(tolerance_ladder), std::end(tolerance_ladder) - (elements > large ? 1 : 0)};
 }
 
+/// The elements as looks and poses, as far as wishes leave that open; sets the scene that is meant.
+Instancing grouped(PreparedDrawing& prepared, const AnalyzeOptions& options, const Progress& progress) {
+    SimilarityOptions similarity = options.similarity;
+    similarity.tolerance_of_diagonal = std::min(similarity.tolerance_of_diagonal, outline_share);
+    similarity.threads = options.threads;
+    Instancing found = group_similar_elements(*prepared.scene, similarity, progress);
+    const std::vector<GroupingWish> wishes = effective_wishes(options.grouping);
+    if (std::ranges::any_of(wishes, [](const GroupingWish& wish) { return wish.kind == GroupingKind::together; })) {
+        const Scene& drawn = *prepared.scene;
+        Scene meant = with_merged_elements(drawn, std::move(found), wishes);
+        for (std::size_t e = 0; e < drawn.elements.size(); ++e)
+            prepared.redrawn += drawn.elements[e].paths != meant.elements[e].paths;
+        prepared.meant = std::make_shared<const Scene>(std::move(meant));
+        prepared.scene = prepared.meant.get();
+        found = group_similar_elements(*prepared.scene, similarity, progress);
+    }
+    return wishes.empty() ? found : with_split_looks(std::move(found), wishes);
+}
+
 }  // namespace
 
 PreparedDrawing prepare_drawing(const Scene& scene, const AnalyzeOptions& options, const Progress& progress) {
@@ -37,26 +56,24 @@ PreparedDrawing prepare_drawing(const Scene& scene, const AnalyzeOptions& option
     prepared.scene = &scene;
     prepared.diagonal = drawing_diagonal(scene);
     // Which elements are copies of which.
-    SimilarityOptions similarity = options.similarity;
-    similarity.tolerance_of_diagonal = std::min(similarity.tolerance_of_diagonal, outline_share);
-    similarity.threads = options.threads;
-    prepared.readings.push_back({group_similar_elements(scene, similarity, progress)});
+    prepared.readings.push_back({grouped(prepared, options, progress)});
     if (auto by_shape = merged_by_shape(prepared.readings.front().instancing, prepared.diagonal))
         prepared.readings.push_back({std::move(*by_shape)});
     // Which of them lie on which.
     OverlapOptions visible_only;
     visible_only.antialiasing = false;
     visible_only.threads = options.threads;
-    prepared.overlaps = find_overlaps(scene, visible_only);
+    prepared.overlaps = find_overlaps(*prepared.scene, visible_only, progress);
     // Items and what they cost, at each tolerance.
     const std::vector<double> tried = tolerances(options, scene.elements.size());
     for (PreparedReading& reading : prepared.readings) reading.starts.resize(tried.size());
-    for_each_index(prepared.readings.size() * tried.size(), options.threads, [&](std::size_t k) {
-        PreparedReading& reading = prepared.readings[k / tried.size()];
-        const double size = tried[k % tried.size()];
-        const PoseTolerance tolerance{size, size, PoseTolerance{}.per_distance};
-        reading.starts[k % tried.size()] = starting_state(reading.instancing, tolerance, prepared.diagonal);
-    });
+    for_each_index(prepared.readings.size() * tried.size(), options.threads, "items", progress,
+                   [&](std::size_t k, const Progress&) {
+                       PreparedReading& reading = prepared.readings[k / tried.size()];
+                       const double size = tried[k % tried.size()];
+                       const PoseTolerance tolerance{size, size, PoseTolerance{}.per_distance};
+                       reading.starts[k % tried.size()] = starting_state(reading.instancing, tolerance, prepared.diagonal);
+                   });
     prepared.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return prepared;
 }

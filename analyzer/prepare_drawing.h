@@ -2,8 +2,10 @@
 // What the analysis of a drawing begins with, whatever is preferred afterwards: kept, it makes another analysis with other
 // weights quick (docs/analysis.md, 9).
 
+#include <memory>
 #include <vector>
 
+#include "analyzer/grouping.h"
 #include "analyzer/importance.h"
 #include "analyzer/instancing.h"
 #include "analyzer/overlaps.h"
@@ -21,9 +23,11 @@ struct AnalyzeOptions {
     Objective objective = Objective::bits;
     /// Draw the regular layout behind the drawing: what elements miss their places by is dropped.
     bool symmetrize = false;
-    /// Draw a relative of the drawing: the rules get noise of the size that elements miss their places by. Not beside symmetrize.
+    /// Draw a relative of the drawing: the rules get noise of the size that elements miss their places by. Not beside
+    /// symmetrize.
     bool stochastic = false;
-    int threads = 0;  ///< 0 = one per processor; the result is the same for any number
+    std::vector<GroupingWish> grouping;  ///< elements that shall be, or shall not be, copies of each other
+    int threads = 0;                     ///< 0 = one per processor; the result is the same for any number
 };
 
 /// The drawing with these looks.
@@ -33,7 +37,9 @@ struct PreparedReading {
 };
 
 struct PreparedDrawing {
-    const Scene* scene = nullptr;  ///< not owned: must live as long
+    const Scene* scene = nullptr;        ///< `meant`, or the drawing, which is not owned and must live as long
+    std::shared_ptr<const Scene> meant;  ///< the drawing with merged elements drawn alike; null if no wish changes it
+    int redrawn = 0;                     ///< elements that `meant` draws as another one
     double diagonal = 1;
     Overlaps overlaps;                      ///< whose paint order can be seen
     std::vector<PreparedReading> readings;  ///< equal shapes in other styles are other looks; or one look, if there are any

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 #include "geometry/kd_tree.h"
@@ -64,19 +66,55 @@ TransformationPoint reduced_point(const Instancing& instancing, int from, int to
     return best;
 }
 
-TransformationSpace fill_space(const Instancing& instancing, const LookInstances& from, const LookInstances& to,
-                               const KdTree& places, const TransformationSpaceOptions& options) {
-    TransformationSpace space{from.look, to.look, {}};
+/// How many instances of `to` each of `from` is paired with.
+std::size_t pairs_each(const LookInstances& from, const LookInstances& to, const TransformationSpaceOptions& options) {
     const std::size_t few = static_cast<std::size_t>(options.all_pairs_up_to);
     const bool all_pairs = from.elements.size() <= few && to.elements.size() <= few;
     const std::size_t own = from.look == to.look ? 1 : 0;  // an element is its own nearest neighbour
-    const std::size_t count = all_pairs ? to.elements.size() : static_cast<std::size_t>(options.neighbors) + own;
+    return all_pairs ? to.elements.size() : static_cast<std::size_t>(options.neighbors) + own;
+}
+
+TransformationSpace fill_space(const Instancing& instancing, const LookInstances& from, const LookInstances& to,
+                               const KdTree& places, const TransformationSpaceOptions& options) {
+    TransformationSpace space{from.look, to.look, {}};
+    const std::size_t count = pairs_each(from, to, options);
     for (std::size_t i = 0; i < from.elements.size(); ++i)
         for (const Neighbor& neighbor : places.nearest(from.places[i], count))
             if (const int element = to.elements[neighbor.index]; element != from.elements[i])
                 space.points.push_back(reduced_point(instancing, from.elements[i], element));
     std::ranges::sort(space.points, {}, [](const TransformationPoint& p) { return std::pair{p.from, p.to}; });
     return space;
+}
+
+/// Which spaces are filled, by place in `looks`: all, or the first of the most frequent looks that keep within the limit.
+std::vector<std::pair<std::size_t, std::size_t>> filled_spaces(const std::vector<LookInstances>& looks,
+                                                               const TransformationSpaceOptions& options) {
+    std::vector<std::size_t> frequent(looks.size());
+    std::iota(frequent.begin(), frequent.end(), std::size_t{0});
+    if (options.most_points > 0) {
+        std::ranges::stable_sort(frequent, std::greater{}, [&](std::size_t k) { return looks[k].elements.size(); });
+        // Each space has a point at least.
+        const auto enough = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(options.most_points)))) + 1;
+        frequent.resize(std::min(frequent.size(), enough));
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> all;
+    for (const std::size_t from : frequent)
+        for (const std::size_t to : frequent) all.emplace_back(from, to);
+    if (options.most_points == 0) return all;
+    const auto rarer = [&](const auto& pair) {
+        return std::min(looks[pair.first].elements.size(), looks[pair.second].elements.size());
+    };
+    std::ranges::stable_sort(all, std::greater{}, rarer);
+    std::size_t points = 0, kept = 0;
+    for (; kept < all.size(); ++kept) {
+        const LookInstances& from = looks[all[kept].first];
+        const LookInstances& to = looks[all[kept].second];
+        points += from.elements.size() * std::min(to.elements.size(), pairs_each(from, to, options));
+        if (points > options.most_points && kept > 0) break;
+    }
+    all.resize(kept);
+    std::ranges::sort(all);
+    return all;
 }
 
 }  // namespace
@@ -102,11 +140,10 @@ std::vector<TransformationSpace> fill_transformation_spaces(const Instancing& in
     std::vector<KdTree> trees;
     for (const LookInstances& look : looks) trees.emplace_back(look.places);
     std::vector<TransformationSpace> spaces;
-    for (const LookInstances& from : looks)
-        for (std::size_t to = 0; to < looks.size(); ++to) {
-            TransformationSpace space = fill_space(instancing, from, looks[to], trees[to], options);
-            if (!space.points.empty()) spaces.push_back(std::move(space));
-        }
+    for (const auto& [from, to] : filled_spaces(looks, options)) {
+        TransformationSpace space = fill_space(instancing, looks[from], looks[to], trees[to], options);
+        if (!space.points.empty()) spaces.push_back(std::move(space));
+    }
     return spaces;
 }
 

@@ -2,6 +2,7 @@
 // Transformation spaces (Stava et al. 2010, section 4.3): for every ordered pair of looks, the transformations between
 // their instances as points (alpha, d, s, beta). For display; the search for rules works on poses.
 
+#include <cstddef>
 #include <vector>
 
 #include "analyzer/instancing.h"
@@ -26,6 +27,9 @@ struct TransformationSpace {
 struct TransformationSpaceOptions {
     int neighbors = 8;         ///< of each element within the other look
     int all_pairs_up_to = 40;  ///< so few instances of both looks: all pairs
+    /// In all spaces together; 0 = as many as there are. Spaces of the looks with the most instances come first, those that
+    /// go beyond are left out; the first one is there whatever its size.
+    std::size_t most_points = 0;
 };
 
 /// Spaces by (from, to), without empty ones. Angles of symmetric looks are reduced to those nearest 0 that draw the same;

@@ -91,12 +91,14 @@ Verification verify(const Grammar& grammar, const Scene& scene, const VerifyOpti
     return verify(grammar, scene, find_overlaps(scene), options);
 }
 
-Verification verify(const Grammar& grammar, const Scene& scene, const Overlaps& overlaps, const VerifyOptions& options) {
+Verification verify(const Grammar& grammar, const Scene& scene, const Overlaps& overlaps, const VerifyOptions& options,
+                    const Progress& progress) {
     const double diagonal = drawing_diagonal(scene);
     // 1. Derive afresh.
+    report(progress, "check", 0);
     const Scene drawn = to_scene(grammar, interpret(grammar));
     // 2. Who is who, how far off, in which style.
-    const std::vector<DrawnMatch> matches = match_drawn(scene, drawn, options.tolerance * diagonal, options.threads);
+    const std::vector<DrawnMatch> matches = match_drawn(scene, drawn, options.tolerance * diagonal, options.threads, progress);
     Verification result{.elements = static_cast<int>(scene.elements.size())};
     measure_matches(matches, diagonal, options.tolerance, result);
     result.surplus = static_cast<int>(drawn.elements.size()) - (result.elements - result.unmatched);

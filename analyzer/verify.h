@@ -37,6 +37,7 @@ struct Verification {
 Verification verify(const Grammar& grammar, const Scene& scene, const VerifyOptions& options = {});
 
 /// The same with the scene's overlaps at hand: whatever pairs are in there must be painted in the drawing's order.
-Verification verify(const Grammar& grammar, const Scene& scene, const Overlaps& overlaps, const VerifyOptions& options = {});
+Verification verify(const Grammar& grammar, const Scene& scene, const Overlaps& overlaps, const VerifyOptions& options = {},
+                    const Progress& progress = {});
 
 }  // namespace rinceau

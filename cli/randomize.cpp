@@ -12,11 +12,14 @@ namespace {
 struct RandomizeVerbOptions {
     EditFiles files;
     RandomizeOptions randomize;
+    bool uniform = false;
 };
 
 int run_randomize(const RandomizeVerbOptions& options) {
     const Grammar grammar = read_for_edit(options.files);
-    const RandomizeOptions& noise = options.randomize;
+    RandomizeOptions noise = options.randomize;
+    if (options.uniform)
+        noise.angle_distribution = noise.distance_distribution = noise.scale_distribution = NoiseDistribution::uniform;
     if (!noise.angle && !noise.distance && !noise.scale && !noise.seed)
         throw CLI::ValidationError("randomize", "expected --angle, --distance, --scale or --seed, found none");
     write_edit(grammar, randomize(grammar, noise), options.files);
@@ -41,6 +44,8 @@ void add_randomize(CLI::App& program, Job& job) {
                      "Standard deviation of the logarithm of scales: 0.1 is about a tenth; 0 takes it away")
         ->check(CLI::NonNegativeNumber)
         ->type_name("SD");
+    verb->add_flag("--uniform", options->uniform,
+                   "Every draw up to SD to either side is as likely, and none is farther away");
     verb->add_option("--only", noise.only,
                      "Names of the numbers that get noise, as 'rinceau set' lists them; * stands for any characters")
         ->delimiter(',')

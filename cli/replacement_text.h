@@ -7,9 +7,10 @@
 
 namespace rinceau {
 
-/// "SYMBOL=WITH", where WITH is modules ("Leaf", "Ring(8)"), a drawing ("leaf.svg"), a grammar ("vine.lsys") or a part of one
-/// ("vine.lsys#Grapes"), or nothing. Reads the file. Throws CLI::ValidationError, and as read_input(), read_svg() and
-/// read_grammar().
+/// "SYMBOL=WITH", where WITH is modules ("Leaf", "Ring(8)"), a drawing ("leaf.svg"), a grammar ("vine.lsys") or a part of
+/// one
+/// ("vine.lsys#Grapes"), or nothing. Reads the file. Says the warnings of a drawing. Throws CLI::ValidationError, and as
+/// read_input(), read_svg() and read_grammar().
 Replacement parse_replacement(const std::string& text);
 
 }  // namespace rinceau

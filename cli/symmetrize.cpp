@@ -5,11 +5,11 @@
 #include "analyzer/analyze.h"
 #include "cli/edit_output.h"
 #include "cli/exit_status.h"
-#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/progress_bar.h"
 #include "cli/rules_text.h"
 #include "cli/verbs.h"
+#include "files/files.h"
 #include "lsystem/grammar_text.h"
 #include "scene/svg_read.h"
 
@@ -63,6 +63,11 @@ void add_symmetrize(CLI::App& program, Job& job) {
         "rinceau symmetrize samples/facade.svg -o regular.svg", run_symmetrize);
     add_edit_options(*verb, options->files);
     verb->get_option("RULES")->description("The grammar (.lsys) or drawing (.svg, .svgz), or - for standard input");
+    verb->add_option("--tolerance", options->symmetrize.tolerance,
+                     "How near is nearly regular in the rules of a grammar: times what a hand misses by")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str()
+        ->type_name("T");
     verb->add_flag("--all", options->symmetrize.all_exceptions,
                    "Drop all exceptions of a grammar: also holes, and what stands in for something else");
 }

@@ -59,7 +59,46 @@ std::string kind_of(const Json& value) {
     return text.size() <= longest ? text : text.substr(0, longest) + "..";
 }
 
+/// Line and column of a byte, counted from 1.
+SourcePlace place_of(std::string_view text, std::size_t byte, const std::string& file) {
+    SourcePlace place{file, 1, 1};
+    for (const char c : text.substr(0, std::min(byte, text.size()))) {
+        ++place.column;
+        if (c == '\n') place = {file, place.line + 1, 1};
+    }
+    return place;
+}
+
+/// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error while .." without its front.
+std::string detail_of(const Json::exception& error) {
+    const std::string message = error.what();
+    const std::size_t colon = message.find(": ");
+    const std::size_t bracket = message.find("] ");
+    if (colon != std::string::npos) return message.substr(colon + 2);
+    return bracket == std::string::npos ? message : message.substr(bracket + 2);
+}
+
 }  // namespace
+
+Json parse_json_document(std::string_view text, const std::string& file) {
+    constexpr int deepest = 16;  // a grammar has 6 levels
+    constexpr std::size_t most_values = 50'000'000;
+    std::size_t values = 0;
+    const auto watch = [&](int depth, Json::parse_event_t, Json&) {
+        if (depth > deepest)
+            throw InputError({file}, "expected a grammar, found JSON that is nested deeper than any grammar");
+        if (++values > most_values) throw LimitError({file}, "more than " + std::to_string(most_values) + " values in JSON");
+        return true;
+    };
+    try {
+        return Json::parse(text, watch);
+    } catch (const Json::parse_error& error) {
+        const SourcePlace place = place_of(text, error.byte > 0 ? error.byte - 1 : 0, file);
+        throw InputError(place, "expected JSON, found a " + detail_of(error));
+    } catch (const Json::exception& error) {  // a number beyond all numbers
+        throw InputError({file}, "expected JSON, found a " + detail_of(error));
+    }
+}
 
 Json text_json(const std::string& bytes) {
     if (is_utf8(bytes)) return bytes;

@@ -1,7 +1,8 @@
 #pragma once
-// Values of grammars in JSON, and where one stands in a document. Internal to the folder.
+// JSON that people and other programs have written: values, and where one stands in a document.
 
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,10 @@ using Json = nlohmann::ordered_json;
 
 /// Bytes as JSON holds them: a string if they are UTF-8, else {"bytes": ".."} with a character U+0000 to U+00FF per byte.
 Json text_json(const std::string& bytes);
+
+/// Throws InputError with line and column where the text is no JSON, and for one that is nested deeper than any grammar;
+/// LimitError for more values than a grammar can have.
+Json parse_json_document(std::string_view text, const std::string& file);
 
 /// A value and where it stands: "productions[3].condition".
 class JsonValue {

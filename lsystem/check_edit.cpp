@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lsystem/compile.h"
+#include "lsystem/derivation_limits.h"
 #include "lsystem/interpret.h"
 #include "lsystem/stream.h"
 
@@ -76,14 +77,13 @@ void drop_exceptions(const Grammar& before, EditResult& edit, const CheckEditOpt
     edit.changes.push_back(dropped_text(dropped));
 }
 
-}  // namespace
-
-EditResult checked_edit(const Grammar& before, EditResult edit, const CheckEditOptions& options, const Progress& progress) {
-    drop_exceptions(before, edit, options, progress);
+void expect_drawn(const Grammar& before, EditResult& edit, const CheckEditOptions& options, const Progress& progress) {
     const std::size_t elements = elements_drawn(options.for_drawing(edit.grammar), options.derive, progress);
     std::size_t elements_before = 0;
     try {
         elements_before = elements_drawn(options.for_drawing(before), options.derive, progress);
+    } catch (const TooManyModules&) {
+        return;  // it has become smaller
     } catch (const std::runtime_error&) {
         // what could not be drawn may be mended
     }
@@ -91,7 +91,23 @@ EditResult checked_edit(const Grammar& before, EditResult edit, const CheckEditO
         throw InputError({}, "expected an edit that leaves something to draw, found one after which nothing is drawn");
     if (elements != elements_before)
         edit.changes.push_back(std::to_string(elements_before) + " -> " + std::to_string(elements) + " elements");
-    return edit;
+}
+
+}  // namespace
+
+EditResult checked_edit(const Grammar& before, EditResult edit, const CheckEditOptions& given, const Progress& progress) {
+    CheckEditOptions options = given;
+    const bool bounded = options.unchecked_above > 0 && options.unchecked_above < options.derive.max_modules;
+    if (bounded) options.derive.max_modules = options.unchecked_above;
+    try {
+        EditResult checked = edit;
+        drop_exceptions(before, checked, options, progress);
+        expect_drawn(before, checked, options, progress);
+        return checked;
+    } catch (const TooManyModules&) {
+        if (!bounded) throw;
+        return edit;
+    }
 }
 
 }  // namespace rinceau

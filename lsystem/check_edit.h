@@ -11,6 +11,8 @@ namespace rinceau {
 
 struct CheckEditOptions {
     DeriveOptions derive;
+    /// A result of more modules is taken as it is, so that the time is bounded; 0 = none is.
+    std::uint64_t unchecked_above = 0;
     /// Makes a grammar as written ready for drawing: what it uses of other files is put in. Exceptions stay as they are.
     std::function<Grammar(const Grammar&)> for_drawing = [](const Grammar& grammar) { return grammar; };
 };

@@ -50,10 +50,10 @@ class FactCollector {
 
 }  // namespace
 
-DerivationFacts derivation_facts(const Grammar& grammar, const DeriveOptions& options) {
+DerivationFacts derivation_facts(const Grammar& grammar, const DeriveOptions& options, const Progress& progress) {
     const CompiledGrammar compiled = compile(grammar);
     FactCollector collector(compiled);
-    stream_modules(compiled, options, {}, true, collector);
+    stream_modules(compiled, options, progress, true, collector);
     return std::move(collector).facts();
 }
 

@@ -24,6 +24,6 @@ struct DerivationFacts {
 };
 
 /// Throws as derive().
-DerivationFacts derivation_facts(const Grammar& grammar, const DeriveOptions& options = {});
+DerivationFacts derivation_facts(const Grammar& grammar, const DeriveOptions& options = {}, const Progress& progress = {});
 
 }  // namespace rinceau

@@ -25,7 +25,8 @@ DerivationLimits::DerivationLimits(const CompiledGrammar& grammar, const DeriveO
 void DerivationLimits::check_time() const {
     if (options_.max_seconds <= 0) return;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-    if (spent.count() > options_.max_seconds) throw_at(most_applied(), "the derivation took longer than its time limit");
+    if (spent.count() > options_.max_seconds)
+        throw_at<LimitError>(most_applied(), "the derivation took longer than its time limit");
 }
 
 int DerivationLimits::most_applied() const {
@@ -34,28 +35,30 @@ int DerivationLimits::most_applied() const {
 }
 
 void DerivationLimits::throw_too_large() const {
-    throw_at(most_applied(), "the limit is " + grouped(options_.max_modules) + " modules, rewritten ones included");
+    throw_at<TooManyModules>(most_applied(),
+                             "the limit is " + grouped(options_.max_modules) + " modules, rewritten ones included");
 }
 
 void DerivationLimits::throw_too_deep(int production) const {
     const bool step = grammar_.productions[static_cast<std::size_t>(production)].kind == ProductionKind::rewriting;
     const auto recursion = static_cast<std::uint64_t>(options_.max_recursion);
     if (step && options_.depth >= 0) {
-        throw_at(production, "the limit is " + grouped(max_open) + " productions one inside the other");
+        throw_at<LimitError>(production, "the limit is " + grouped(max_open) + " productions one inside the other");
     }
-    throw_at(production,
-             "the limit is " + grouped(recursion) +
-                 (step ? " steps one inside the other" : " decompositions or homomorphisms one inside the other"));
+    throw_at<LimitError>(
+        production, "the limit is " + grouped(recursion) +
+                        (step ? " steps one inside the other" : " decompositions or homomorphisms one inside the other"));
 }
 
+template <class Error>
 void DerivationLimits::throw_at(int production, const std::string& what) const {
-    if (production < 0) throw LimitError({}, "the derived string is too long: " + what);
+    if (production < 0) throw Error({}, "the derived string is too long: " + what);
     const Production& source = grammar_.grammar->productions[static_cast<std::size_t>(production)];
     std::string message = "production " + source.symbol;
     if (source.place.line > 0) message += " at line " + std::to_string(source.place.line);
     message += " was applied " + grouped(applied_[static_cast<std::size_t>(production)]) + " times (" + what +
                "): lower the count or give it a condition that ends";
-    throw LimitError(source.place, message);
+    throw Error(source.place, message);
 }
 
 }  // namespace rinceau

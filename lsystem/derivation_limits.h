@@ -12,6 +12,12 @@
 
 namespace rinceau {
 
+/// DeriveOptions::max_modules was reached.
+class TooManyModules : public LimitError {
+  public:
+    using LimitError::LimitError;
+};
+
 /// Counts what is derived and stops what does not end (derive.h, DeriveOptions).
 class DerivationLimits {
   public:
@@ -48,6 +54,8 @@ class DerivationLimits {
 
     [[noreturn]] void throw_too_large() const;
     [[noreturn]] void throw_too_deep(int production) const;
+    /// Of the kind of LimitError.
+    template <class Error>
     [[noreturn]] void throw_at(int production, const std::string& what) const;
     int most_applied() const;
 };

@@ -47,8 +47,10 @@ class NumberFinder {
         const auto noise = find_noise(expression_);
         if (noise) last = noise->base_size;
         if (!add_value(0, last, 1) && !add_product(0, last, 1) && !add_sum(last)) add_literals(last);
-        if (noise)
-            result_.push_back({Part::noise, noise->deviation_at, noise->deviation_at + 1, noise->deviation, 1, {}, 1});
+        if (noise) {
+            const int at = noise->spread_at;
+            result_.push_back({Part::noise, at, at + 1, noise->noise.spread, 1, {}, 1, noise->negative_at});
+        }
         return std::move(result_);
     }
 

@@ -20,6 +20,7 @@ struct NumberInExpression {
     double slope = 1;
     std::string parameter;  ///< Part::change: the b of b*m is for one more of m
     int ordinal = 1;        ///< Part::literal
+    int negative_at = -1;   ///< Part::noise: node that is the negative of the value; -1 = none
 };
 
 std::vector<NumberInExpression> numbers_in(const Expression& expression, const Scope& constants);

@@ -1,5 +1,8 @@
 #include "lsystem/flat_grammar.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "geometry/angle.h"
 #include "lsystem/interpret.h"
 #include "lsystem/turtle_step.h"
@@ -43,6 +46,17 @@ void append_placement(Modules& modules, const Grammar& grammar, const Placement&
     append_command(modules, "]");
 }
 
+/// The number of the style; neighbours often share one, so that only the newest are compared.
+int style_number(Grammar& grammar, const Style& style) {
+    constexpr std::size_t most_compared = 32;
+    auto& styles = grammar.styles;
+    const std::size_t oldest = styles.size() - std::min(styles.size(), most_compared);
+    for (std::size_t i = styles.size(); i > oldest; --i)
+        if (same_style(styles[i - 1].style, style, 0)) return styles[i - 1].number;
+    styles.push_back({.number = static_cast<int>(styles.size()) + 1, .style = style});
+    return styles.back().number;
+}
+
 }  // namespace
 
 Grammar flat_grammar(const Grammar& grammar, const DeriveOptions& options) {
@@ -56,6 +70,23 @@ Grammar flat_grammar(const Grammar& grammar, const DeriveOptions& options) {
     flat.uses.clear();
     flat.seed.reset();
     flat.ignored.clear();
+    return flat;
+}
+
+Grammar flat_grammar(const Scene& scene) {
+    Grammar flat;
+    flat.canvas = scene.viewport;
+    flat.sized = scene.sized;
+    for (const Element& element : scene.elements) {
+        Terminal terminal{.symbol = "E" + std::to_string(flat.terminals.size() + 1),
+                          .paths = element.paths,
+                          .verbatim = element.verbatim,
+                          .verbatim_box = element.verbatim_box,
+                          .id = element.id};
+        if (element.verbatim.empty()) terminal.style = style_number(flat, element.style);
+        append_command(flat.axiom, terminal.symbol);
+        flat.terminals.push_back(std::move(terminal));
+    }
     return flat;
 }
 

@@ -12,4 +12,8 @@ namespace rinceau {
 /// Throws as interpret().
 Grammar flat_grammar(const Grammar& grammar, const DeriveOptions& options = {});
 
+/// A grammar that draws the scene: each element is a terminal of its own, E1, E2, .., where it stands, and the axiom names
+/// them in paint order. In time proportional to the scene.
+Grammar flat_grammar(const Scene& scene);
+
 }  // namespace rinceau

@@ -154,11 +154,13 @@ bool draws_random_numbers(const Grammar& grammar) {
            std::ranges::any_of(grammar.constants, [](const Constant& constant) { return is_random(constant.value); });
 }
 
+bool may_name_symbol(const std::string& name) {
+    return is_name(name) && !is_command(name) && std::ranges::count(statement_words(), std::string_view(name)) == 0 &&
+           !named_constant(name).has_value() && find_expression_function(name) == nullptr;
+}
+
 std::string free_name(const std::string& wanted, const std::function<bool(const std::string&)>& taken) {
-    const auto unusable = [&](const std::string& name) {
-        return is_command(name) || std::ranges::count(statement_words(), std::string_view(name)) > 0 ||
-               named_constant(name).has_value() || find_expression_function(name) != nullptr || taken(name);
-    };
+    const auto unusable = [&](const std::string& name) { return !may_name_symbol(name) || taken(name); };
     if (!unusable(wanted)) return wanted;
     // Row -> Row2, Row2 -> Row3; A_1 -> A_1_2
     std::size_t end = wanted.size();

@@ -33,6 +33,9 @@ std::vector<std::string> symbols_of(const Grammar& grammar);
 /// True if what it draws may depend on the seed.
 bool draws_random_numbers(const Grammar& grammar);
 
+/// Is it a name that a symbol can have: no command, function, constant of expressions or word of the language?
+bool may_name_symbol(const std::string& name);
+
 /// A name like `wanted` that is neither taken nor a command or a word of the language: with a number behind it if need be.
 std::string free_name(const std::string& wanted, const std::function<bool(const std::string&)>& taken);
 

@@ -8,6 +8,7 @@
 #include "lsystem/constant_values.h"
 #include "lsystem/expression_place.h"
 #include "lsystem/grammar_text.h"
+#include "lsystem/keep_rings.h"
 #include "lsystem/noise_form.h"
 #include "lsystem/number_slots.h"
 #include "lsystem/set_numbers.h"
@@ -89,10 +90,11 @@ EditResult keep_locked(const Grammar& before, EditResult edit, const std::set<st
     const std::vector<std::string> changed = names_that_differ(then, locked_numbers(edit.grammar, locked));
     for (const std::string& name : changed) {
         const NumberEdit back{.name = name, .value = value_to_put_back(before, then.at(name))};
-        edit.grammar = set_numbers(edit.grammar, {&back, 1}).grammar;
+        edit.grammar = set_numbers(edit.grammar, {&back, 1}, {.keep_rings_closed = false}).grammar;
         kept.insert(name);
     }
     if (kept.empty()) return edit;
+    if (!changed.empty()) edit.grammar = keep_rings_closed(before, edit.grammar).grammar;
     const std::vector<std::string> left = names_that_differ(then, locked_numbers(edit.grammar, locked));
     if (!left.empty()) throw InputError({}, are_locked(left) + " and would change: unlock it, or do without this edit");
     const std::string text = to_text(edit.grammar);

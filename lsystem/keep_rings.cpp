@@ -14,6 +14,8 @@ namespace rinceau {
 namespace {
 
 constexpr double full_circle = 360;
+constexpr double fewest_elements = 2;
+constexpr double most_elements = 1e6;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -40,8 +42,9 @@ int times_used(const Grammar& grammar, const std::string& name) {
 /// The rings of one production, before and now.
 class RingKeeper {
   public:
-    RingKeeper(const Grammar& before, Grammar& grammar, std::vector<std::string>& changes, std::vector<Ring> rings)
-        : before_(before), grammar_(grammar), changes_(changes), rings_(std::move(rings)) {}
+    RingKeeper(const Grammar& before, Grammar& grammar, std::vector<std::string>& changes, std::vector<Ring> rings,
+               const KeepRingsOptions& options = {})
+        : before_(before), grammar_(grammar), changes_(changes), rings_(std::move(rings)), options_(options) {}
 
     void keep() {
         if (!look() || all_closed()) return;
@@ -53,12 +56,12 @@ class RingKeeper {
             turns_differ = turns_differ || !turn || *turn != rings_[i].turn;
         }
         if (counts_differ && turns_differ) return say_open("both its count and its turn were set");
-        counts_differ ? follow_counts() : follow_turn();
+        counts_differ ? follow_counts(rings_.front().turn) : follow_turn();
     }
 
     /// As after setting counts.
     void close() {
-        if (look()) follow_counts();
+        if (look()) follow_counts(rings_.front().turn);
     }
 
   private:
@@ -66,6 +69,7 @@ class RingKeeper {
     Grammar& grammar_;
     std::vector<std::string>& changes_;
     std::vector<Ring> rings_;
+    KeepRingsOptions options_;
     RuleLoop loop_;              ///< now
     std::vector<LoopUse> uses_;  ///< now, of the rings
 
@@ -116,7 +120,8 @@ class RingKeeper {
 
     // The counts were set.
 
-    void follow_counts() {
+    /// `side` has the sign of the turn.
+    void follow_counts(double side) {
         const double elements = elements_of(loop_, uses_.front());
         const bool agree =
             std::ranges::all_of(uses_, [&](const LoopUse& use) { return elements_of(loop_, use) == elements; });
@@ -125,7 +130,7 @@ class RingKeeper {
         const double around = rings_.front().full_turns;
         if (around > 1 && std::gcd(static_cast<long>(around), static_cast<long>(elements)) != 1)
             return say_open(number_text(elements) + " elements do not go " + number_text(around) + " times around");
-        const double turn = std::copysign(full_circle * around / elements, rings_.front().turn);
+        const double turn = std::copysign(full_circle * around / elements, side);
         const Grammar was = grammar_;
         if (!set_turn(turn)) return say_open("its turn is written in a way that cannot follow");
         look();
@@ -216,26 +221,26 @@ class RingKeeper {
     // The turn was set.
 
     void follow_turn() {
-        const Grammar was = grammar_;
+        const double side = turn_of(grammar_, loop_, uses_.front()).value_or(0);
         for (std::size_t i = 0; i < uses_.size(); ++i) {
             const auto turn = turn_of(grammar_, loop_, uses_[i]);
             if (!turn) return say_open("its turn is not the same from one element to the next");
             if (is_closed(i)) continue;
             const double elements = *turn == 0 ? 0 : full_circle * rings_[i].full_turns / std::abs(*turn);
-            expect_whole(elements, *turn);
-            set_count(uses_[i], std::round(elements));
+            if (!options_.nearest_count || *turn == 0) expect_whole(elements, *turn);
+            set_count(uses_[i], std::clamp(std::round(elements), fewest_elements, most_elements));
             look();
         }
         restore_turn();
+        if (options_.nearest_count && !all_closed()) follow_counts(side);
     }
 
     void expect_whole(double elements, double turn) const {
         constexpr double rounding = 1e-6;
-        constexpr double most_elements = 1e6;
-        if (elements >= 2 && elements <= most_elements && std::abs(elements - std::round(elements)) < rounding) return;
+        if (elements >= fewest_elements && elements <= most_elements && std::abs(elements - std::round(elements)) < rounding) return;
         throw InputError(grammar_.productions[at(loop_.production)].place,
                          "expected a turn of " + symbol() + " that a whole number of elements closes to a ring, such as " +
-                             number_text(full_circle / std::max(2.0, std::round(std::min(elements, most_elements)))) +
+                             number_text(full_circle / std::max(fewest_elements, std::round(std::min(elements, most_elements)))) +
                              ", found " + number_text(rounded(turn)) +
                              ": set its count, too, or let the ring open (--open)");
     }
@@ -289,10 +294,10 @@ std::vector<std::vector<Ring>> by_production(std::vector<Ring> rings) {
 
 }  // namespace
 
-EditResult keep_rings_closed(const Grammar& before, const Grammar& after) {
+EditResult keep_rings_closed(const Grammar& before, const Grammar& after, const KeepRingsOptions& options) {
     EditResult result{after, {}};
     for (std::vector<Ring>& rings : by_production(closed_rings(before)))
-        RingKeeper(before, result.grammar, result.changes, std::move(rings)).keep();
+        RingKeeper(before, result.grammar, result.changes, std::move(rings), options).keep();
     return result;
 }
 

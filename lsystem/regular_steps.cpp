@@ -19,14 +19,22 @@ namespace {
 
 constexpr double full_circle = 360;
 
-// How near is nearly: what a hand misses by, and no one means.
-constexpr double near_share = 0.02;         // of a distance or scale
-constexpr double near_angle = 1;            // degrees, of one step
-constexpr double near_bend = 2.5;           // degrees, of a whole row
-constexpr double near_closing = 10;         // degrees that a ring is open, or overlaps, ..
-constexpr double near_closing_step = 0.25;  // .. and share of its turn
+/// How near is nearly.
+struct Nearness {
+    double share = 0;         // of a distance or scale
+    double angle = 0;         // degrees, of one step
+    double bend = 0;          // degrees, of a whole row
+    double closing = 0;       // degrees that a ring is open, or overlaps, ..
+    double closing_step = 0;  // .. and share of its turn
+};
 
-EditResult close_near_rings(const Grammar& grammar) {
+/// At 1: what a hand misses by, and no one means. Half a step is as near to one element more as to one less.
+Nearness nearness(double tolerance) {
+    constexpr double less_than_half = 0.49;
+    return {0.02 * tolerance, tolerance, 2.5 * tolerance, 10 * tolerance, std::min(0.25 * tolerance, less_than_half)};
+}
+
+EditResult close_near_rings(const Grammar& grammar, const Nearness& near) {
     std::vector<Ring> rings;
     for (const RuleLoop& loop : rule_loops(grammar)) {
         for (const LoopUse& use : uses_of(grammar, loop)) {
@@ -36,7 +44,7 @@ EditResult close_near_rings(const Grammar& grammar) {
             if (!turn || elements < 3) continue;
             const double missing = std::abs(elements * std::abs(*turn) - full_circle);
             constexpr double exact = 1e-9;
-            if (missing < exact || missing > near_closing || missing > near_closing_step * std::abs(*turn)) continue;
+            if (missing < exact || missing > near.closing || missing > near.closing_step * std::abs(*turn)) continue;
             rings.push_back({loop, use, elements, *turn, 1});
         }
     }
@@ -61,7 +69,7 @@ std::vector<Step> steps_of(const Grammar& grammar, const RuleLoop& loop) {
 
 class Straightener {
   public:
-    explicit Straightener(const Grammar& grammar) : result_{grammar, {}} {}
+    Straightener(const Grammar& grammar, const Nearness& near) : near_(near), result_{grammar, {}} {}
 
     EditResult straighten() {
         for (const RuleLoop& loop : rule_loops(result_.grammar))
@@ -71,6 +79,7 @@ class Straightener {
     }
 
   private:
+    Nearness near_;
     EditResult result_;
 
     std::map<std::string, GrammarNumber> numbers() const {
@@ -93,11 +102,11 @@ class Straightener {
         };
         const double rotation = value("rotation");
         const double reach = std::abs(rotation) * std::max(1.0, step.count - 1);
-        if (rotation != 0 && std::abs(rotation) < near_angle && reach < near_bend) set(step.path + "rotation", 0);
+        if (rotation != 0 && std::abs(rotation) < near_.angle && reach < near_.bend) set(step.path + "rotation", 0);
         const double forward = std::abs(value("forward"));
         const double sideways = std::abs(value("sideways"));
-        if (forward != 0 && forward < near_share * sideways) set(step.path + "forward", 0);
-        if (sideways != 0 && sideways < near_share * forward) set(step.path + "sideways", 0);
+        if (forward != 0 && forward < near_.share * sideways) set(step.path + "forward", 0);
+        if (sideways != 0 && sideways < near_.share * forward) set(step.path + "sideways", 0);
     }
 
     /// Paths of steps that stand side by side.
@@ -116,10 +125,10 @@ class Straightener {
         return families;
     }
 
-    static bool nearly_equal(const GrammarNumber& a, const GrammarNumber& b) {
+    bool nearly_equal(const GrammarNumber& a, const GrammarNumber& b) const {
         const double difference = std::abs(std::abs(a.value) - std::abs(b.value));
-        if (a.kind == NumberKind::angle) return difference <= near_angle;
-        return difference <= near_share * std::max(std::abs(a.value), std::abs(b.value));
+        if (a.kind == NumberKind::angle) return difference <= near_.angle;
+        return difference <= near_.share * std::max(std::abs(a.value), std::abs(b.value));
     }
 
     void agree(const std::vector<std::string>& paths) {
@@ -151,9 +160,10 @@ class Straightener {
 
 }  // namespace
 
-EditResult with_regular_steps(const Grammar& grammar) {
-    EditResult closed = close_near_rings(grammar);
-    EditResult straight = Straightener(closed.grammar).straighten();
+EditResult with_regular_steps(const Grammar& grammar, double tolerance) {
+    const Nearness near = nearness(tolerance);
+    EditResult closed = close_near_rings(grammar, near);
+    EditResult straight = Straightener(closed.grammar, near).straighten();
     straight.changes.insert(straight.changes.begin(), closed.changes.begin(), closed.changes.end());
     return straight;
 }

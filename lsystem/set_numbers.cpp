@@ -208,11 +208,13 @@ EditResult set_numbers(const Grammar& grammar, std::span<const NumberEdit> edits
     NumberSetter setter(grammar);
     for (const NumberEdit& edit : edits) setter.apply(edit);
     EditResult result{setter.grammar_, setter.changes_};
-    add_followers(grammar, setter, result.changes);
-    if (!options.keep_rings_closed) return result;
-    EditResult closed = keep_rings_closed(grammar, setter.grammar_);
-    result.grammar = std::move(closed.grammar);
-    result.changes.insert(result.changes.end(), closed.changes.begin(), closed.changes.end());
+    if (options.say_changes) add_followers(grammar, setter, result.changes);
+    if (options.keep_rings_closed) {
+        EditResult closed = keep_rings_closed(grammar, setter.grammar_, {.nearest_count = options.nearest_ring});
+        result.grammar = std::move(closed.grammar);
+        result.changes.insert(result.changes.end(), closed.changes.begin(), closed.changes.end());
+    }
+    if (!options.say_changes) result.changes.clear();
     return result;
 }
 

@@ -25,6 +25,9 @@ NumberEdit parse_number_edit(std::string_view text);
 
 struct SetOptions {
     bool keep_rings_closed = true;
+    /// A ring's turn that no whole count closes becomes the nearest one that one does, as while it is dragged; else it throws.
+    bool nearest_ring = false;
+    bool say_changes = true;  ///< false: `changes` stays empty, which is quicker
 };
 
 /// The edits one after the other. A ring whose count is set gets the turn that closes it, one whose turn is set the count;

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double full_turn = 360;
+const std::string normal_help = "standard deviation of the noise";
+const std::string uniform_help = "greatest deviation of the noise to either side";
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -128,25 +130,25 @@ class StringNumbers {
                 if (result_[k].name == where.path + '.' + command.role) result_[k].rank = NumberRank::hidden;
         }
         for (const int position : approach.commands)
-            if (const auto noise = find_noise_command(string[at(position)])) add_noise(*noise, string, position, where);
+            if (const auto noise = find_noise_command(string[at(position)])) add_noise(*noise, position, where);
         add_whole_turns(string, roles, where);
     }
 
-    void add_noise(const NoiseCommand& noise, const std::vector<ModuleTemplate>& string, int position, const Where& where) {
-        const auto& nodes = string[at(position)].arguments.front().postfix;
-        // normal(0, deviation): the deviation stands right before the call
-        const auto call = std::ranges::find(nodes, std::string("normal"), &Expression::Node::name);
-        const int deviation_at = static_cast<int>(call - nodes.begin()) - 1;
+    void add_noise(const FoundNoiseCommand& found, int position, const Where& where) {
         GrammarNumber number;
-        const bool angle = noise.kind == NoiseKind::angle;
+        const bool angle = found.command.kind == NoiseKind::angle;
         set_kind(number, angle ? NumberKind::angle : NumberKind::scale);
         number.name = where.path + (angle ? ".angle_noise" : ".scale_noise");
-        number.help = "standard deviation of the noise of each " + where.target;
+        number.help = (found.negative_at >= 0 ? uniform_help : normal_help) + " of each " + where.target;
         number.rank = NumberRank::rule;
-        number.value = noise.deviation;
+        number.value = found.command.noise.spread;
         number.low = 0;
-        const ExpressionPlace place = place_of(where, {position, 0, 1}, deviation_at, deviation_at + 1);
-        number.slots = {{NumberSlot::In::expression, place, 0, 1, 0}};
+        const auto slot = [&](int at, double slope) {
+            return NumberSlot{NumberSlot::In::expression, place_of(where, {position, 0, 1}, at, at + 1), 0, slope, 0};
+        };
+        // the later one first: writing it moves nothing that stands before it
+        number.slots = {slot(found.spread_at, 1)};
+        if (found.negative_at >= 0) number.slots.push_back(slot(found.negative_at, -1));
         result_.push_back(std::move(number));
     }
 
@@ -172,6 +174,10 @@ class StringNumbers {
             const ExpressionPlace place = place_of(where, written, found.first, found.last);
             number.slots = {{NumberSlot::In::expression, place, 0, written.sign * found.slope, 0}};
             if (found.part != NumberInExpression::Part::value) describe_part(number, found, written.sign);
+            if (found.negative_at >= 0) {
+                const ExpressionPlace negative = place_of(where, written, found.negative_at, found.negative_at + 1);
+                number.slots.push_back({NumberSlot::In::expression, negative, 0, -1, 0});
+            }
             describe_written(grammar_, part_at(grammar_, place), number);
             result_.push_back(std::move(number));
         }
@@ -185,7 +191,7 @@ class StringNumbers {
             number.help = "more for each 1 of " + found.parameter + ": " + number.help;
         } else if (found.part == NumberInExpression::Part::noise) {
             number.name += "_noise";
-            number.help = "standard deviation of the noise: " + number.help;
+            number.help = (found.negative_at >= 0 ? uniform_help : normal_help) + ": " + number.help;
             number.rank = NumberRank::rule;
             number.low = 0;
             number.value = sign * number.value;

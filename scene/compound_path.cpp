@@ -11,6 +11,7 @@
 
 #include "geometry/polygon.h"
 #include "scene/painted_region.h"
+#include "scene/pen.h"
 
 namespace rinceau {
 namespace {
@@ -71,14 +72,9 @@ double mitre_reach(const std::vector<Point>& corners, bool closed, double limit)
     return reach;
 }
 
-double larger_stretch(const Linear2& pen) {
-    const double sum = pen.a * pen.a + pen.b * pen.b + pen.c * pen.c + pen.d * pen.d, det = pen.a * pen.d - pen.b * pen.c;
-    return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * det * det))));
-}
-
 std::vector<Outline> outlines_of(const std::vector<Path>& paths, const Style& style, double deviation) {
     const bool reaches = stroke_order_shows(style);
-    const double half_width = 0.5 * style.stroke.width * larger_stretch(style.stroke.pen);
+    const double half_width = 0.5 * style.stroke.width * largest_stretch(style.stroke.pen);
     std::vector<Outline> outlines;
     for (const Path& path : paths) {
         Outline& outline = outlines.emplace_back();

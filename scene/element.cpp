@@ -4,16 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/pen.h"
+
 namespace rinceau {
 
 namespace {
-
-// How much the pen stretches the circle at most: the larger singular value of its matrix.
-double largest_stretch(const Linear2& pen) {
-    const double sum = pen.a * pen.a + pen.b * pen.b + pen.c * pen.c + pen.d * pen.d;
-    const double det = pen.a * pen.d - pen.b * pen.c;
-    return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * det * det))));
-}
 
 bool has_joins(const Path& path) { return path.segments.size() + (path.closed ? 1 : 0) > 1; }
 

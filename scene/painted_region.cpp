@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/pen.h"
+
 namespace rinceau {
 namespace {
 
@@ -87,16 +89,10 @@ ClipperLib::EndType end_type(LineCap cap, bool dashed) {
     return cap == LineCap::square ? ClipperLib::etOpenSquare : ClipperLib::etOpenButt;
 }
 
-double larger_stretch(const Linear2& pen) {
-    const double sum = pen.a * pen.a + pen.b * pen.b + pen.c * pen.c + pen.d * pen.d;
-    const double det = pen.a * pen.d - pen.b * pen.c;
-    return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * det * det))));
-}
-
 Region stroke_region(const std::vector<Path>& paths, const Stroke& stroke, double deviation) {
     const bool even = stroke.pen == Linear2{};
     // A stretched pen is held by a round one; its mitres by one that is wider still.
-    const double reach = even ? 1 : larger_stretch(stroke.pen) * (stroke.join == LineJoin::miter ? stroke.miter_limit : 1);
+    const double reach = even ? 1 : largest_stretch(stroke.pen) * (stroke.join == LineJoin::miter ? stroke.miter_limit : 1);
     const double half_width = 0.5 * stroke.width * reach;
     const Region lines = flattened_all(paths, deviation);
     // A pen wider than the paths must fit onto the grid too: mitres reach miter_limit half widths.

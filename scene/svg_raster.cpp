@@ -125,7 +125,8 @@ Picture svg_to_picture(std::string_view svg, int width) {
             std::memcpy(&pixel, rows + y * stride + 4 * x, sizeof pixel);
             const std::uint32_t white = 255 - (pixel >> 24U);
             for (const unsigned shift : {16U, 8U, 0U}) {
-                picture.rgb.push_back(static_cast<std::uint8_t>(std::min<std::uint32_t>(255, ((pixel >> shift) & 255U) + white)));
+                picture.rgb.push_back(
+                    static_cast<std::uint8_t>(std::min<std::uint32_t>(255, ((pixel >> shift) & 255U) + white)));
             }
         }
     }
@@ -140,7 +141,8 @@ std::string picture_to_png(const Picture& picture) {
     const std::uint8_t* from = picture.rgb.data();
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x, from += 3) {
-            const std::uint32_t pixel = static_cast<std::uint32_t>(from[0]) << 16U | static_cast<std::uint32_t>(from[1]) << 8U | from[2];
+            const std::uint32_t pixel =
+                static_cast<std::uint32_t>(from[0]) << 16U | static_cast<std::uint32_t>(from[1]) << 8U | from[2];
             std::memcpy(rows + y * stride + 4 * x, &pixel, sizeof pixel);
         }
     }
@@ -148,6 +150,26 @@ std::string picture_to_png(const Picture& picture) {
     std::string png;
     require_success(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &png));
     return png;
+}
+
+TransparentPicture svg_to_transparent_picture(std::string_view svg, int width) {
+    const Surface surface = rendered(svg, width);
+    cairo_surface_flush(surface.get());
+    TransparentPicture picture{
+        cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
+    const unsigned char* rows = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    picture.rgba.reserve(std::size_t{4} * static_cast<std::size_t>(picture.width) *
+                         static_cast<std::size_t>(picture.height));
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            std::uint32_t pixel = 0;  // as above
+            std::memcpy(&pixel, rows + y * stride + 4 * x, sizeof pixel);
+            for (const unsigned shift : {16U, 8U, 0U, 24U})
+                picture.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
+        }
+    }
+    return picture;
 }
 
 std::string svg_to_pdf(std::string_view svg) {

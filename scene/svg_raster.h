@@ -18,6 +18,9 @@ Picture svg_to_picture(std::string_view svg, int width);
 /// PNG bytes of a picture. Throws LimitError if it exceeds 32767 pixels a side or has no pixel.
 std::string picture_to_png(const Picture& picture);
 
+/// The same picture over transparent ground, as pixels.
+TransparentPicture svg_to_transparent_picture(std::string_view svg, int width = 0);
+
 /// PDF bytes of an SVG document, one page of its size (96 px = 72 pt).
 std::string svg_to_pdf(std::string_view svg);
 

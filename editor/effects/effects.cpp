@@ -1,15 +1,14 @@
 #include "editor/effects/effects.h"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "analyzer/analyze.h"
+#include "editor/effects/analysis_jobs.h"
+#include "editor/effects/guarded.h"
 #include "editor/effects/progress_posts.h"
-#include "editor/effects/read_document.h"
-#include "editor/effects/write_export.h"
-#include "files/files.h"
-#include "files/output_error.h"
+#include "editor/effects/read_tool_replacement.h"
+#include "lsystem/derivation_facts.h"
 #include "lsystem/grammar_text.h"
 #include "scene/input_error.h"
 
@@ -19,64 +18,25 @@ namespace {
 /// What is allowed to a picture that is derived between two frames.
 constexpr double seconds_at_once = 0.05;
 constexpr std::uint64_t modules_at_once = 1'000'000;
+constexpr double seconds_to_measure = 3;
 /// In a picture with no more elements a selection is found between two frames.
 constexpr std::size_t elements_at_once = 20'000;
 
-/// Runs the work; what it throws is told by `fail`. JobCancelled passes.
-void guarded(const std::function<void()>& work, const std::function<void(std::string)>& fail) {
-    try {
-        work();
-    } catch (const std::bad_alloc&) {
-        fail("The memory does not suffice");
-    } catch (const std::exception& error) {
-        fail(error.what());
-    }
-}
-
 }  // namespace
 
-Effects::Effects(ActionQueue& answers)
-    : answers_(answers),
-      files_([this](Action action) { answers_.post(std::move(action)); }),
-      pictures_([this](Action action) { answers_.post(std::move(action)); }),
-      selections_([this](Action action) { answers_.post(std::move(action)); }),
-      lights_([this](Action action) { answers_.post(std::move(action)); }),
-      befores_([this](Action action) { answers_.post(std::move(action)); }),
-      analyses_([this](Action action) { answers_.post(std::move(action)); }) {}
+Effects::Effects(ActionQueue& answers, const KeptFolders& folders)
+    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }), files_(answers, folders) {}
 
 void Effects::fulfil(const Request& request) {
-    std::visit([this](const auto& known) { one(known); }, request);
-}
-
-void Effects::one(const ReadDocument& request) {
-    files_.start([path = request.path](const Progress&, const Worker::Post& post) {
-        guarded([&] { post(FileAction{read_document(path)}); },
-                [&](std::string message) {
-                    post(FileAction{FileFailed{path, std::move(message)}});
-                });
-    });
-}
-
-void Effects::one(const WriteDocument& request) {
-    guarded(
-        [&] {
-            write_output(request.path, to_text(*request.document.grammar));
-            answers_.post(FileAction{FileSaved{request.path, request.document.grammar}});
+    std::visit(
+        [this](const auto& known) {
+            if constexpr (requires { files_.fulfil(known); }) {
+                files_.fulfil(known);
+            } else {
+                one(known);
+            }
         },
-        [&](std::string message) {
-            answers_.post(FileAction{SaveFailed{request.path, std::move(message)}});
-        });
-}
-
-void Effects::one(const WriteExport& request) {
-    guarded(
-        [&] {
-            answers_.post(
-                FileAction{FileExported{request.path, write_export(request.document, request.path, request.format)}});
-        },
-        [&](std::string message) {
-            answers_.post(FileAction{SaveFailed{request.path, std::move(message)}});
-        });
+        request);
 }
 
 void Effects::one(const DerivePicture& request) {
@@ -114,6 +74,29 @@ void Effects::one(const FindSelection& request) {
     });
 }
 
+void Effects::one(const CheckText& request) {
+    texts_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto answer = [&](TextFindings findings) {
+            post(RulesAction{TextChecked{request.revision, std::move(findings)}});
+        };
+        guarded([&] { answer(check_rule_text(request.text, request.file, request.document, progress)); },
+                [&](std::string message) { answer({.picture = std::move(message)}); });
+    });
+}
+
+void Effects::one(const MeasureDepth& request) {
+    depths_.start([request](const Progress& progress, const Worker::Post& post) {
+        const auto& grammar = request.document.resolved;
+        DeriveOptions derive = request.document.derive;
+        derive.depth = -1;
+        derive.max_seconds = seconds_to_measure;
+        guarded([&] { post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}}); },
+                [&](const std::string&) {
+                    post(RulesAction{DepthMeasured{grammar, -1}});
+                });
+    });
+}
+
 void Effects::one(const LightRule& request) {
     lights_.start([request](const Progress& progress, const Worker::Post& post) {
         guarded(
@@ -137,27 +120,34 @@ void Effects::one(const DeriveBefore& request) {
     });
 }
 
-void Effects::one(const RunAnalysis& request) {
-    analyses_.start([request, cache = prepared_](const Progress& progress, const Worker::Post& post) {
-        ProgressPosts posts;
-        const Progress told = [&](std::string_view stage, double fraction) {
-            progress(stage, fraction);
-            if (posts.worth(stage, std::chrono::steady_clock::now()))
-                post(AnalysisAction{AnalysisProgress{request.job, std::string(stage), fraction}});
-        };
-        guarded(
-            [&] {
-                const auto kept = cache->prepared(request.drawing, request.options, told);
-                auto found = std::make_shared<const Analysis>(analyze(kept->prepared, request.options, told));
-                post(AnalysisAction{AnalysisDone{request.job, std::move(found)}});
-            },
-            [&](std::string message) {
-                post(AnalysisAction{AnalysisFailed{request.job, std::move(message)}});
-            });
-    });
-}
+void Effects::one(const RunAnalysis& request) { analyses_.start(analysis_job(request, prepared_)); }
 
 void Effects::one(const StopAnalysis&) { analyses_.stop(); }
+
+void Effects::one(const TabulateClusters& request) { clusters_.start(clusters_job(request, prepared_)); }
+
+void Effects::one(const MapElements& request) { maps_.start(mapping_job(request)); }
+
+void Effects::one(const RunTool& request) {
+    const auto use = [request](const Worker::Post& post) {
+        guarded([&] { post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}}); },
+                [&](std::string message) { post(ToolsAction{ToolFailed{request.job, std::move(message)}}); });
+    };
+    if (request.at_once) {
+        use([this](Action action) { answers_.post(std::move(action)); });
+    } else {
+        tools_.start([use](const Progress&, const Worker::Post& post) { use(post); });
+    }
+}
+
+void Effects::one(const ReadReplacement& request) {
+    replacements_.start([request](const Progress&, const Worker::Post& post) {
+        guarded([&] { post(read_tool_replacement(request)); },
+                [&](std::string message) {
+                    post(ToolsAction{ReplacementFailed{request.with, std::move(message)}});
+                });
+    });
+}
 
 void Effects::one(const CloseWindow&) { closing_ = true; }
 

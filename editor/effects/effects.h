@@ -6,6 +6,7 @@
 
 #include "editor/effects/action_queue.h"
 #include "editor/effects/analysis_cache.h"
+#include "editor/effects/file_effects.h"
 #include "editor/effects/worker.h"
 #include "editor/model/request.h"
 
@@ -15,32 +16,43 @@ namespace rinceau {
 /// analyses on threads. Answers come through the queue. Never throws.
 class Effects {
   public:
-    explicit Effects(ActionQueue& answers);
+    /// `folders` is where the program keeps what is its own; without them it keeps nothing.
+    explicit Effects(ActionQueue& answers, const KeptFolders& folders = {});
 
     void fulfil(const Request& request);
     bool wants_to_close() const { return closing_; }
 
   private:
-    void one(const ReadDocument& request);
-    void one(const WriteDocument& request);
-    void one(const WriteExport& request);
     void one(const DerivePicture& request);
     void one(const FindSelection& request);
+    void one(const CheckText& request);
+    void one(const MeasureDepth& request);
     void one(const LightRule& request);
     void one(const DeriveBefore& request);
     void one(const RunAnalysis& request);
     void one(const StopAnalysis& request);
+    void one(const RunTool& request);
+    void one(const ReadReplacement& request);
+    void one(const TabulateClusters& request);
+    void one(const MapElements& request);
     void one(const CloseWindow& request);
 
     ActionQueue& answers_;
-    Worker files_;
-    Worker pictures_;
-    Worker selections_;
-    Worker lights_;
-    Worker befores_;
+    Worker::Post post_;  ///< to the answers, from any thread
+    Worker replacements_{post_};
+    Worker pictures_{post_};
+    Worker selections_{post_};
+    Worker texts_{post_};
+    Worker depths_{post_};
+    Worker lights_{post_};
+    Worker befores_{post_};
     std::shared_ptr<AnalysisCache> prepared_ = std::make_shared<AnalysisCache>();
-    Worker analyses_;
+    Worker analyses_{post_};
+    Worker tools_{post_};
+    Worker clusters_{post_};
+    Worker maps_{post_};
     bool closing_ = false;
+    FileEffects files_;  ///< last: waits for what is to be written while all else is still there
 };
 
 }  // namespace rinceau

@@ -37,7 +37,8 @@ LookTable look_table(const std::shared_ptr<const DerivedPicture>& picture, Shape
     for (const PictureLook& look : picture->looks) {
         const Terminal& terminal = grammar.terminals[static_cast<std::size_t>(look.terminal)];
         LookEntry entry;
-        entry.verbatim = !terminal.verbatim.empty();
+        if (!terminal.verbatim.empty()) entry.verbatim = store.text(terminal.verbatim);
+        table.has_verbatim = table.has_verbatim || entry.verbatim != nullptr;
         const auto numbered = styles.find(look.style);
         const Style& style = numbered == styles.end() ? plain : *numbered->second;
         if (!entry.verbatim && !terminal.paths.empty() && (paints_fill(style) || paints_stroke(style))) {

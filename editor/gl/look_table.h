@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "editor/gl/gradient_table.h"
@@ -16,15 +17,16 @@ namespace rinceau {
 struct LookEntry {
     std::shared_ptr<Shape> shape;  ///< null if nothing is painted, or if it is verbatim
     LookPaint paint;
-    std::array<std::uint32_t, 2> gradients{};  ///< numbers by LookPart; 0 = solid
-    std::array<Affine, 2> to_unit;             ///< the shape's vertices -> the unit gradient, by LookPart
-    bool verbatim = false;
+    std::array<std::uint32_t, 2> gradients{};     ///< numbers by LookPart; 0 = solid
+    std::array<Affine, 2> to_unit;                ///< the shape's vertices -> the unit gradient, by LookPart
+    std::shared_ptr<const std::string> verbatim;  ///< null if it is an outline
 };
 
 struct LookTable {
     std::shared_ptr<const DerivedPicture> picture;
     std::vector<LookEntry> looks;
     GradientTable gradients;
+    bool has_verbatim = false;
 };
 
 /// Finds the shapes that earlier pictures had.

@@ -94,7 +94,11 @@ bool PictureLayer::draw_pass(const LayerTools& tools, Clock::time_point deadline
                         .view = view_,
                         .jitter = jitter(passes_),
                         .one_color = content_.mask,
-                        .fragment = {}};
+                        .fragment = [&](std::uint32_t item) {
+                            const auto place = content_.picture->fragments.find(item);
+                            if (place == content_.picture->fragments.end()) return;
+                            tools.fragments.draw(place->second, pass_.width(), pass_.height(), item, content_.mask);
+                        }};
     if (!tools.drawer.draw(uploaded_, pass, cursor_, deadline)) return false;
     in_pass_ = false;
     return true;
@@ -105,6 +109,9 @@ void PictureLayer::refine(const LayerTools& tools, Clock::time_point deadline, b
     const int width = std::max(1, static_cast<int>(view_.size.x));
     const int height = std::max(1, static_cast<int>(view_.size.y));
     pass_.resize(width, height);
+    const bool has_fragments = !content_.picture->fragments.empty();
+    if (has_fragments && fragments_version_ != tools.fragments.version()) start_anew();
+    fragments_version_ = tools.fragments.version();
     if (!plan_fits() || !uploaded_.plan.complete) plan(tools, finish);
     while (!finished()) {
         const bool first = passes_ == 0;

@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <memory>
+#include <unordered_map>
 
+#include "editor/gl/fragment_store.h"
 #include "editor/gl/picture_emphasis.h"
 #include "editor/gl/pixel_target.h"
 #include "editor/gl/plan_drawer.h"
@@ -12,10 +14,11 @@
 
 namespace rinceau {
 
-/// A picture's looks, here and on the graphics card.
+/// A picture's looks, here and on the graphics card, and where its fragments fall on the frame.
 struct PreparedPicture {
     LookTable looks;
     UploadedGradients gradients;
+    std::unordered_map<std::uint32_t, FragmentPlace> fragments;  ///< by item
 };
 
 struct LayerContent {
@@ -32,6 +35,7 @@ struct LayerTools {
     PlanDrawer& drawer;
     ShapeStore& shapes;
     const ScreenPrograms& screen;
+    FragmentStore& fragments;
 };
 
 class PictureLayer {
@@ -65,6 +69,7 @@ class PictureLayer {
     PlanCursor cursor_;
     bool in_pass_ = false;
     int passes_ = 0;
+    std::uint64_t fragments_version_ = 0;
 };
 
 }  // namespace rinceau

@@ -17,7 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto frame_time = std::chrono::milliseconds(20);  // for refining, so that with the panels a frame takes 30
+constexpr auto frame_time = std::chrono::milliseconds(20);         // for refining, so that with the panels a frame takes 30
+constexpr auto fragment_patience = std::chrono::milliseconds(10);  // better than drawing the same again
 constexpr int needed_version = 33;
 
 int checked_version() {
@@ -39,6 +40,21 @@ bool same_frame(const FrameKey& a, const FrameKey& b) {
            a.emphasis.before == b.emphasis.before && a.emphasis.comparison == b.emphasis.comparison;
 }
 
+std::unordered_map<std::uint32_t, FragmentPlace> fragment_places(const LookTable& table, const ViewTransform& view) {
+    std::unordered_map<std::uint32_t, FragmentPlace> places;
+    if (!table.has_verbatim) return places;
+    for (std::size_t i = 0; i < table.picture->items.size(); ++i) {
+        const PictureItem& item = table.picture->items[i];
+        const LookEntry& look = table.looks[static_cast<std::size_t>(item.look)];
+        if (!look.verbatim) continue;
+        const PictureLook& drawn = table.picture->looks[static_cast<std::size_t>(item.look)];
+        const Box& box = table.picture->grammar->terminals[static_cast<std::size_t>(drawn.terminal)].verbatim_box;
+        auto place = fragment_place(look.verbatim, box, item.pose, view);
+        if (place) places.emplace(static_cast<std::uint32_t>(i), std::move(*place));
+    }
+    return places;
+}
+
 /// The canvas in pixels of the frame, from its lower left corner; empty = all of it.
 Box canvas_pixels(const DerivedPicture* picture, const ViewTransform& view) {
     if (picture == nullptr) return {view.size, view.size};  // nothing is canvas
@@ -55,6 +71,7 @@ struct PictureRenderer::Parts {
     ScreenPrograms screen;
     PlanDrawer drawer;
     ShapeStore shapes;
+    FragmentStore fragments;
     PixelTarget frame{PixelFormat::bytes, false};
     std::shared_ptr<PreparedPicture> shown, compared;
     PictureLayer picture, lit, before, mask;
@@ -73,15 +90,29 @@ struct PictureRenderer::Parts {
         return made;
     }
 
+    /// Where the fragments of both pictures fall, and their pixels as far as they are there.
+    void prepare_fragments(const ViewTransform& view, bool finish) {
+        std::vector<FragmentPlace> all;
+        for (const auto& one : {shown, compared}) {
+            if (!one) continue;
+            one->fragments = fragment_places(one->looks, view);
+            for (const auto& [item, place] : one->fragments) all.push_back(place);
+        }
+        if (!finish && fragments.waiting()) fragments.wait(fragment_patience);
+        fragments.prepare(all, finish);
+        refining = refining || fragments.waiting();
+    }
+
     void refine(const ViewTransform& view, const PictureEmphasis& emphasis, bool finish) {
         const auto deadline = Clock::now() + frame_time;
-        const LayerTools tools{drawer, shapes, screen};
+        const LayerTools tools{drawer, shapes, screen, fragments};
         const auto turn = [&](PictureLayer& layer, const LayerContent& content) {
             layer.show(content, view);
             layer.refine(tools, deadline, finish);
             refining = refining || !layer.finished();
         };
         refining = false;
+        prepare_fragments(view, finish);
         const bool compares = emphasis.before && emphasis.comparison != PictureComparison::none;
         turn(lit, emphasis.lit ? LayerContent{shown, emphasis.lit, false} : LayerContent{});
         turn(mask, emphasis.outlined ? LayerContent{shown, emphasis.outlined, true} : LayerContent{});

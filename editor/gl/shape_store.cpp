@@ -141,6 +141,14 @@ std::shared_ptr<Shape> ShapeStore::shape(const std::vector<Path>& paths, const S
     return found->second;
 }
 
+std::shared_ptr<const std::string> ShapeStore::text(const std::string& text) {
+    const std::size_t hash = std::hash<std::string>{}(text);
+    const auto [first, last] = texts_.equal_range(hash);
+    for (auto known = first; known != last; ++known)
+        if (*known->second == text) return known->second;
+    return texts_.emplace(hash, std::make_shared<const std::string>(text))->second;
+}
+
 void ShapeStore::make_meshes(const std::vector<std::pair<std::shared_ptr<Shape>, MeshLevel>>& wanted,
                              std::chrono::steady_clock::time_point deadline) {
     std::vector<std::shared_ptr<const ShapeMesh>> made(wanted.size());
@@ -155,6 +163,7 @@ void ShapeStore::make_meshes(const std::vector<std::pair<std::shared_ptr<Shape>,
 
 void ShapeStore::forget_unused() {
     ++now_;
+    std::erase_if(texts_, [](const auto& entry) { return entry.second.use_count() == 1; });
     if (shapes_.size() < many_shapes) return;
     std::erase_if(shapes_, [&](const auto& entry) { return entry.second->last_use + tables_kept < now_; });
 }

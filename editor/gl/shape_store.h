@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -60,6 +61,9 @@ class ShapeStore {
     /// The shape of paths in a style, found or new. Holds until `forget_unused`.
     std::shared_ptr<Shape> shape(const std::vector<Path>& paths, const Style& style, const LookPaint& paint);
 
+    /// The same text, kept once: equal texts have one address as long as somebody holds them.
+    std::shared_ptr<const std::string> text(const std::string& text);
+
     /// Makes the meshes that are not there yet, on all processors, until the time is up.
     void make_meshes(const std::vector<std::pair<std::shared_ptr<Shape>, MeshLevel>>& wanted,
                      std::chrono::steady_clock::time_point deadline);
@@ -69,6 +73,7 @@ class ShapeStore {
 
   private:
     std::unordered_multimap<std::uint64_t, std::shared_ptr<Shape>> shapes_;
+    std::unordered_multimap<std::size_t, std::shared_ptr<const std::string>> texts_;
     std::uint64_t now_ = 0;
 };
 

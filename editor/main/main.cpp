@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
     program.add_option("--scale", options.scale, "Size of text and buttons; without it, as the display is set")
         ->check(CLI::Range(least_scale, greatest_scale).description(""))
         ->type_name("S");
+    program.add_option("--autosave-seconds", options.autosave_seconds)->group("");
     program.add_option("--places", options.places)->group("");
     program.failure_message([](const CLI::App*, const CLI::Error& error) {
         return "rinceau edit: " + std::string(error.what()) + "\nSee 'rinceau edit --help'\n";

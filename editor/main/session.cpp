@@ -2,25 +2,27 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
-#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "editor/effects/effects.h"
+#include "editor/effects/kept_preferences.h"
+#include "editor/effects/state_folders.h"
 #include "editor/main/canvas_emphasis.h"
 #include "editor/gl/picture_renderer.h"
-#include "editor/main/offscreen_frame.h"
+#include "editor/main/keyboard.h"
+#include "editor/main/screen.h"
 #include "editor/main/window.h"
+#include "editor/model/command.h"
 #include "editor/model/update.h"
+#include "editor/panels/frame_timing.h"
 #include "editor/panels/panel.h"
 #include "files/files.h"
 #include "files/output_error.h"
@@ -39,8 +41,15 @@ constexpr int output_not_written = 4;
 class Session {
   public:
     Session(Window& window, const EditorOptions& options)
-        : window_(window), options_(options), state_(initial_state()), answers_(glfwPostEmptyEvent), effects_(answers_) {
-        if (!options.screenshot.empty()) offscreen_.emplace(options.width, options.height);
+        : window_(window),
+          options_(options),
+          screen_(window, options),
+          keyboard_(window.handle()),
+          state_(initial_state()),
+          answers_(glfwPostEmptyEvent),
+          effects_(answers_, folders_of(options)) {
+        listen();
+        if (options.screenshot.empty()) begin_keeping();
         if (!options.file.empty()) act(FileAction{OpenFile{options.file}});
     }
     void run() {
@@ -55,27 +64,54 @@ class Session {
     }
     /// The window when nothing changes any more. Throws InputError if the file could not be opened.
     Picture settled_frame() {
-        while (pending_frames_ > 0 || is_busy(state_) || renderer_.refining()) {
+        while (wants_frame() || is_busy(state_)) {
             wait();
             frame();
         }
         for (const EditorMessage& message : state_.messages)
             if (message.kind == MessageKind::mistake) throw InputError({}, message.text);
-        return offscreen_->read();
+        return screen_.read();
     }
 
   private:
-    static constexpr double longest_wait = 0.5;  // seconds: a text cursor blinks
-    static constexpr int frames_of_input = 2;    // ImGui shows the effect of an input one frame later
+    static constexpr int frames_of_input = 2;  // ImGui shows the effect of an input one frame later
+    static constexpr double seconds_a_tick = 1;
 
+    /// A screenshot shows the file alone, whatever was done before.
+    static KeptFolders folders_of(const EditorOptions& options) {
+        return options.screenshot.empty() ? KeptFolders{state_folder(), config_folder()} : KeptFolders{};
+    }
+    void begin_keeping() {
+        const PreferencesInFile read = read_preferences(config_folder());
+        act(RecoveryAction{PreferencesRead{read.preferences, read.mistake}});
+        if (options_.autosave_seconds > 0) state_.recovery.interval = options_.autosave_seconds;
+        act(RecoveryAction{LookForRecoverables{}});
+    }
+    void tick() {
+        const double now = glfwGetTime();
+        if (!options_.screenshot.empty() || now < last_tick_ + seconds_a_tick) return;
+        last_tick_ = now;
+        act(RecoveryAction{Tick{now}});
+    }
+
+    void listen() {
+        window_.set_events({
+            .key = [this](int key, int scancode, int action, int mods) { keyboard_.on_key(key, scancode, action, mods); },
+            .letter = [this](unsigned letter) { keyboard_.on_letter(letter); },
+            .drop = [this](std::string file) { act(FileAction{OpenFile{std::move(file)}}); },
+        });
+    }
+    bool wants_frame() const { return pending_frames_ > 0 || renderer_.refining() || keyboard_.is_waiting(); }
+
+    /// For whatever comes first: input, an answer, or time for the next frame.
     void wait() {
-        if (pending_frames_ > 0 || renderer_.refining()) {
+        if (wants_frame()) {
             pending_frames_ = std::max(0, pending_frames_ - 1);
             glfwPollEvents();
-        } else {
-            glfwWaitEventsTimeout(longest_wait);
-            pending_frames_ = frames_of_input;
+            return;
         }
+        glfwWaitEventsTimeout(std::min(seconds_to_next_frame(), seconds_a_tick));
+        pending_frames_ = frames_of_input;
     }
     void act(const Action& action) {
         Update next = update(std::move(state_), action);
@@ -83,62 +119,50 @@ class Session {
         for (const Request& request : next.requests) effects_.fulfil(request);
         for (const Action& answer : answers_.drain()) act(answer);
     }
+    /// A key gives its command, unless it is for the text that is being typed or for an open menu.
+    bool take(const KeyPress& press) {
+        constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+        if (ImGui::IsPopupOpen(nullptr, any_popup)) return false;
+        if (ImGui::GetIO().WantTextInput && belongs_to_text(press.chord)) return false;
+        const Command* command = command_of_key(commands(), meanings(press.chord, press.position));
+        if (command == nullptr) return false;
+        if (is_enabled(*command, state_) && (command->repeats || !press.repeated)) act(command->action(state_));
+        return press.chord.key != "Escape";  // which Dear ImGui wants to know of, too
+    }
     void frame() {
+        tick();
         for (const Action& answer : answers_.drain()) {
             act(answer);
             pending_frames_ = frames_of_input;
         }
-        begin_frame();
+        keyboard_.feed([this](const KeyPress& press) { return take(press); });
+        show_title();
+        screen_.begin(state_.shell);
         PanelTools tools;
-        const DisplayScale display = offscreen_ ? DisplayScale{} : window_.display_scale();
-        tools.scale = options_.scale > 0 ? options_.scale : display.widgets;
+        tools.scale = screen_.scale();
+        tools.fonts = screen_.fonts();
         tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis_of(state_.canvas));
         std::vector<WidgetPlace> places;
         if (!options_.places.empty()) tools.places = &places;
         const Actions actions = editor_window(state_, tools);
-        end_frame();
+        screen_.end();
         for (const Action& action : actions) act(action);
         if (!actions.empty()) pending_frames_ = frames_of_input;
-        if (!options_.places.empty()) write_trace(std::move(places), tools.scale);
+        if (!options_.places.empty()) write_trace(std::move(places));
     }
-    void begin_frame() {
-        ImGui_ImplOpenGL3_NewFrame();
-        ImGui_ImplGlfw_NewFrame();
-        if (offscreen_) {
-            ImGui::GetIO().DisplaySize = {static_cast<float>(options_.width), static_cast<float>(options_.height)};
-            ImGui::GetIO().DisplayFramebufferScale = {1, 1};
-        }
-        ImGui::NewFrame();
+    void show_title() {
+        title_ = window_title(state_);
+        window_.set_title(title_);
     }
-    void end_frame() {
-        ImGui::Render();
-        const auto [width, height] = framebuffer_size();
-        if (offscreen_) {
-            offscreen_->bind();
-        } else {
-            glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        }
-        glViewport(0, 0, width, height);
-        glClearColor(0, 0, 0, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
-        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-        if (!offscreen_) glfwSwapBuffers(window_.handle());
-    }
-    std::pair<int, int> framebuffer_size() const {
-        if (offscreen_) return {options_.width, options_.height};
-        std::pair<int, int> size;
-        glfwGetFramebufferSize(window_.handle(), &size.first, &size.second);
-        return size;
-    }
-    void write_trace(std::vector<WidgetPlace> places, float scale) {
-        const auto [width, height] = framebuffer_size();
-        const std::string text = to_json({.title = "Rinceau",
+    void write_trace(std::vector<WidgetPlace> places) {
+        const auto [width, height] = screen_.framebuffer_size();
+        const std::string text = to_json({.title = title_,
                                           .frame = ++frame_,
-                                          .busy = is_busy(state_) || pending_frames_ > 0,
+                                          .busy = is_busy(state_) || pending_frames_ > 0 || keyboard_.is_waiting(),
                                           .refining = renderer_.refining(),
                                           .width = width,
                                           .height = height,
-                                          .scale = scale,
+                                          .scale = screen_.scale(),
                                           .widgets = std::move(places)});
         // Not by write_output(): that waits for the disk, which a frame must not.
         const std::string beside = options_.places + ".new";
@@ -149,13 +173,16 @@ class Session {
 
     Window& window_;
     EditorOptions options_;
+    Screen screen_;
+    Keyboard keyboard_;
     EditorState state_;
     ActionQueue answers_;
     Effects effects_;
     PictureRenderer renderer_;
-    std::optional<OffscreenFrame> offscreen_;
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
+    std::string title_;
+    double last_tick_ = 0;
 };
 
 int take_screenshot(Window& window, const EditorOptions& options) {
@@ -181,7 +208,7 @@ int run_editor(const EditorOptions& options) {
         if (!options.screenshot.empty()) return take_screenshot(window, options);
         Session(window, options).run();
         return status::done;
-    } catch (const std::runtime_error& error) {
+    } catch (const NoWindow& error) {
         std::fprintf(stderr,
                      "rinceau edit: no window could be opened (%s). A display with OpenGL 3.3 is needed: start it from a "
                      "desktop, or under a virtual display as 'xvfb-run rinceau edit'.\n",

@@ -6,7 +6,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include <stdexcept>
+#include <utility>
 
 namespace rinceau {
 namespace {
@@ -20,7 +20,7 @@ constexpr int least_height = 400;
     glfwGetError(&reason);
     const std::string told = reason != nullptr ? reason : "no reason given";
     glfwTerminate();
-    throw std::runtime_error(told);
+    throw NoWindow(told);
 }
 
 }  // namespace
@@ -68,6 +68,23 @@ DisplayScale Window::display_scale() const {
     if (width > 0 && pixels_across > 0) scale.framebuffer = static_cast<float>(pixels_across) / static_cast<float>(width);
     if (content > 0) scale.widgets = content / scale.framebuffer;
     return scale;
+}
+
+void Window::set_events(WindowEvents events) {
+    events_ = std::move(events);
+    glfwSetWindowUserPointer(window_, &events_);
+    const auto key = [](GLFWwindow* window, int code, int scancode, int action, int mods) {
+        static_cast<WindowEvents*>(glfwGetWindowUserPointer(window))->key(code, scancode, action, mods);
+    };
+    const auto letter = [](GLFWwindow* window, unsigned code) {
+        static_cast<WindowEvents*>(glfwGetWindowUserPointer(window))->letter(code);
+    };
+    const auto drop = [](GLFWwindow* window, int count, const char** files) {
+        for (int i = 0; i < count; ++i) static_cast<WindowEvents*>(glfwGetWindowUserPointer(window))->drop(files[i]);
+    };
+    glfwSetKeyCallback(window_, key);
+    glfwSetCharCallback(window_, letter);
+    glfwSetDropCallback(window_, drop);
 }
 
 void Window::set_title(const std::string& title) {

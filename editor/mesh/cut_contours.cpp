@@ -69,11 +69,4 @@ std::size_t corner_count(const Contours& contours) {
     return count;
 }
 
-Box contours_box(const Contours& contours) {
-    Box box;
-    for (const std::vector<Point>& contour : contours)
-        for (const Point p : contour) box = including(box, p);
-    return box;
-}
-
 }  // namespace rinceau

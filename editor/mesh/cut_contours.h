@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/box.h"
+#include "geometry/point.h"
 
 namespace rinceau {
 
@@ -24,7 +24,5 @@ struct CutContours {
 CutContours cut(const Contours& contours, Axis axis, double at);
 
 std::size_t corner_count(const Contours& contours);
-
-Box contours_box(const Contours& contours);
 
 }  // namespace rinceau

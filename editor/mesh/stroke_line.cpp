@@ -84,7 +84,7 @@ class DashCutter {
         for (const double dash : dashes) period += dash;
         left_ = std::fmod(offset, period);
         if (left_ < 0) left_ += period;
-        while (left_ >= dashes_[index_]) {
+        while (left_ > 0 && left_ >= dashes_[index_]) {
             left_ -= dashes_[index_];
             next_dash();
         }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "editor/mesh/stroke_line.h"
+#include "scene/pen.h"
 
 namespace rinceau {
 namespace {
@@ -132,12 +133,6 @@ class OutlineWriter {
     std::vector<Point> contour_;
     Contours contours_;
 };
-
-double largest_stretch(const Linear2& pen) {
-    const double sum = pen.a * pen.a + pen.b * pen.b + pen.c * pen.c + pen.d * pen.d;
-    const double det = pen.a * pen.d - pen.b * pen.c;
-    return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * det * det))));
-}
 
 Contours transformed(Contours contours, const Affine& map) {
     for (std::vector<Point>& contour : contours)

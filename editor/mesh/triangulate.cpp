@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/mesh/trapezoids.h"
+
 namespace rinceau {
 namespace {
 
@@ -35,6 +37,37 @@ void append(Triangles& triangles, const Triangles& more) {
     for (const std::uint32_t index : more.indices) triangles.indices.push_back(first + index);
 }
 
+/// Outlines that cross themselves much: small parts as trapezoids.
+void add_crossed(Triangles& triangles, const Contours& contours, FillRule rule, int cuts) {
+    constexpr std::size_t few = 64;
+    if (corner_count(contours) <= few || cuts == 0) {
+        append(triangles, trapezoid_triangles(contours, rule));
+        return;
+    }
+    const CutContours halves = halved(contours);
+    add_crossed(triangles, halves.low, rule, cuts - 1);
+    add_crossed(triangles, halves.high, rule, cuts - 1);
+}
+
+/// What is not to be cut further for the sweep.
+void add_part(Triangles& triangles, const Contours& contours, FillRule rule) {
+    constexpr std::size_t simple = 16;
+    // More than these nobody sees apart, and drawing them takes long.
+    constexpr double most_crossings = 50'000;
+    constexpr double row_work = 2e7;
+    constexpr int most_cuts = 12;
+    const std::size_t count = corner_count(contours);
+    const double crossings = count > simple ? crossing_count(contours) : 0;
+    if (crossings > most_crossings) {
+        const double rows = std::clamp(row_work / static_cast<double>(count), 64.0, 1024.0);
+        append(triangles, row_triangles(contours, rule, static_cast<int>(rows)));
+    } else if (crossings > 0.5 * static_cast<double>(count)) {
+        add_crossed(triangles, contours, rule, most_cuts);
+    } else {
+        append(triangles, swept_triangles(contours, rule));
+    }
+}
+
 void add_triangles(Triangles& triangles, const Contours& contours, FillRule rule) {
     const std::size_t count = corner_count(contours);
     if (count > swept_at_once) {
@@ -48,7 +81,7 @@ void add_triangles(Triangles& triangles, const Contours& contours, FillRule rule
             return;
         }
     }
-    append(triangles, swept_triangles(contours, rule));
+    add_part(triangles, contours, rule);
 }
 
 }  // namespace

@@ -6,14 +6,17 @@
 
 #include "editor/model/analysis_actions.h"
 #include "editor/model/canvas_actions.h"
+#include "editor/model/dialog_actions.h"
 #include "editor/model/file_actions.h"
+#include "editor/model/recovery_actions.h"
 #include "editor/model/rules_actions.h"
 #include "editor/model/shell_actions.h"
 #include "editor/model/tools_actions.h"
 
 namespace rinceau {
 
-using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction>;
+using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction, DialogAction,
+                            RecoveryAction>;
 using Actions = std::vector<Action>;
 
 }  // namespace rinceau

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "analyzer/analyze.h"
+#include "editor/model/clusters_state.h"
 
 namespace rinceau {
 
@@ -35,7 +36,46 @@ struct AnalysisFailed {
     std::string message;
 };
 
-using AnalysisAction =
-    std::variant<StartAnalysis, TryAnalysis, CancelAnalysis, AnalysisProgress, AnalysisDone, AnalysisFailed>;
+/// Show the table of clusters, or close it. While it is shown it follows the drawing.
+struct ShowClusters {
+    bool shown = true;
+};
+struct ClustersFound {
+    std::uint64_t job = 0;
+    std::shared_ptr<const DrawingClusters> clusters;
+};
+struct ClustersFailed {
+    std::uint64_t job = 0;
+    std::string message;
+};
+/// The elements of a row are lit on the canvas while the mouse is over it; -1 = of none.
+struct HoverCluster {
+    int row = -1;
+};
+/// They stay lit; the same row again, or -1: no more.
+struct KeepCluster {
+    int row = -1;
+};
+/// It is known which items of a picture stand for which elements.
+struct ElementsMapped {
+    std::shared_ptr<const ElementItems> items;  ///< null: it could not be found out
+    std::string message;                        ///< why
+};
+
+/// A terminal is chosen to be merged with others, or no longer.
+struct ChooseTerminal {
+    std::string symbol;
+    bool chosen = true;
+};
+/// The elements of the chosen terminals shall be copies of each other, drawn as the first; the drawing is analysed anew.
+struct MergeTerminals {};
+/// The elements of the selection shall be a terminal of their own; the drawing is analysed anew.
+struct SplitSelection {};
+/// What was merged and split by hand is left to the analysis again.
+struct ForgetGrouping {};
+
+using AnalysisAction = std::variant<StartAnalysis, TryAnalysis, CancelAnalysis, AnalysisProgress, AnalysisDone,
+                                    AnalysisFailed, ShowClusters, ClustersFound, ClustersFailed, HoverCluster, KeepCluster,
+                                    ElementsMapped, ChooseTerminal, MergeTerminals, SplitSelection, ForgetGrouping>;
 
 }  // namespace rinceau

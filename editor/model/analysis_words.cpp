@@ -55,15 +55,19 @@ std::string analysis_label(const AnalyzeOptions& before, const AnalyzeOptions& a
     choice(before.objective == Objective::paper, after.objective == Objective::paper, "the paper's importance", "bits");
     choice(before.symmetrize, after.symmetrize, "the regular layout", "the layout as drawn");
     choice(before.stochastic, after.stochastic, "noise", "no noise");
+    if (before.grouping != after.grouping) changes.emplace_back("groups made by hand");
     return changes.size() == 1 ? "analyse with " + changes.front() : "analyse";
 }
 
 std::string stage_in_words(std::string_view stage) {
-    constexpr std::array<std::pair<std::string_view, const char*>, 4> words{
-        {{"begin", "beginning"},
-         {"similarity", "finding equal shapes"},
-         {"rules", "finding rules"},
-         {"check", "checking that the picture is the same"}}};
+    constexpr std::array<std::pair<std::string_view, const char*>, 6> words{{
+        {"begin", "beginning"},
+        {"similarity", "finding equal shapes"},
+        {"overlaps", "finding what lies on what"},
+        {"items", "weighing the elements"},
+        {"rules", "finding rules"},
+        {"check", "checking that the picture is the same"},
+    }};
     for (const auto& [name, text] : words)
         if (name == stage) return text;
     return std::string(stage);

@@ -16,7 +16,7 @@ std::vector<Command> rules_commands() {
         {.name = "edit.redo",
          .menu = "Edit",
          .label = "Redo",
-         .shortcut = "Ctrl+Y",
+         .shortcut = "Ctrl+Y Ctrl+Shift+Z",
          .help = "Does again what was undone.",
          .enabled = [](const EditorState& state) { return !state.history.future.empty(); },
          .action = [](const EditorState&) -> Action { return RulesAction{RedoEdit{}}; }},

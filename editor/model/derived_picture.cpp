@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -77,9 +76,12 @@ DerivedPicture drawing_picture(const Scene& drawing) {
 }
 
 Style picture_style(const DerivedPicture& picture, const PictureLook& look) {
-    for (const NumberedStyle& style : picture.grammar->styles)
-        if (style.number == look.style) return style.style;
-    return {};
+    const std::vector<NumberedStyle>& styles = picture.grammar->styles;
+    // Styles are mostly numbered in order.
+    const auto place = static_cast<std::size_t>(look.style) - 1;
+    if (place < styles.size() && styles[place].number == look.style) return styles[place].style;
+    const auto found = std::ranges::find(styles, look.style, &NumberedStyle::number);
+    return found != styles.end() ? found->style : Style{};
 }
 
 }  // namespace rinceau

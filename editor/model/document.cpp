@@ -37,15 +37,20 @@ Document with_grammar(const Document& document, Grammar grammar) {
     return changed;
 }
 
-bool rules_were_edited(const Document& document) { return document.found && document.grammar != document.found; }
+bool rules_were_edited(const Document& document) { return document.origin && document.grammar != document.origin; }
 
 bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b) {
     const auto values = [](const AnalyzeOptions& o) {
         return std::tuple(o.similarity.tolerance, o.similarity.tolerance_of_diagonal, o.similarity.mirrored_copies,
                           o.tolerance, o.weights.count, o.weights.nearness, o.weights.similarity, o.weights.length,
-                          o.objective, o.symmetrize, o.stochastic);
+                          o.objective, o.symmetrize, o.stochastic, o.grouping);
     };
     return values(a) == values(b);
+}
+
+bool same_version(const Document& a, const Document& b) {
+    return a.grammar == b.grammar && a.drawing == b.drawing && a.used == b.used && same_analysis(a.analysis, b.analysis) &&
+           same_derivation(a.derive, b.derive) && a.locked == b.locked;
 }
 
 bool same_document(const Document& a, const Document& b) {

@@ -22,7 +22,6 @@ struct Document {
     std::shared_ptr<const Grammar> resolved;       ///< for drawing: with all that it uses; never null
     std::shared_ptr<const UsedFiles> used;         ///< null if it uses none
     std::shared_ptr<const AnalysisReport> report;  ///< of the analysis that found the grammar; null if none did
-    std::shared_ptr<const Grammar> found;          ///< as the analysis, or the reading of the drawing, gave it; may be null
     AnalyzeOptions analysis;                       ///< with which the drawing was, and will be, analysed
     DeriveOptions derive;                          ///< depth and seed that are looked at
     std::set<std::string> locked;                  ///< names of numbers (lsystem/numbers.h) that edits leave alone
@@ -35,11 +34,14 @@ Document empty_document();
 /// The document with another grammar. Throws as resolve_uses().
 Document with_grammar(const Document& document, Grammar grammar);
 
-/// Was the grammar edited since the analysis, or the reading of the drawing, gave it?
+/// Was the grammar edited since it was opened or found by an analysis?
 bool rules_were_edited(const Document& document);
 
 /// All but the number of threads, which changes nothing.
 bool same_analysis(const AnalyzeOptions& a, const AnalyzeOptions& b);
+
+/// The same versions of grammar and drawing, and equal options and locks: quick, for every frame.
+bool same_version(const Document& a, const Document& b);
 
 /// The same content: grammars and options compare by what they say, drawings and reports by identity.
 bool same_document(const Document& a, const Document& b);

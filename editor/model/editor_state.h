@@ -9,10 +9,13 @@
 
 #include "editor/model/analysis_state.h"
 #include "editor/model/canvas_state.h"
+#include "editor/model/clusters_state.h"
 #include "editor/model/derived_picture.h"
+#include "editor/model/dialog_state.h"
 #include "editor/model/document.h"
 #include "editor/model/file_state.h"
 #include "editor/model/history.h"
+#include "editor/model/recovery_state.h"
 #include "editor/model/rules_state.h"
 #include "editor/model/shell_state.h"
 #include "editor/model/tools_state.h"
@@ -39,10 +42,13 @@ struct EditorState {
     std::string picture_mistake;                    ///< why what is shown has no picture; empty = it has, or will have
 
     FileState file;
+    DialogState dialog;
+    RecoveryState recovery;
     RulesState rules;
     ToolsState tools;
     CanvasState canvas;
     AnalysisState analysis;
+    ClustersState clusters;
     ShellState shell;
     std::vector<EditorMessage> messages;  ///< oldest first
 };
@@ -53,9 +59,17 @@ EditorState initial_state();
 /// What is to be seen: the preview, or the document.
 const Document& shown_document(const EditorState& state);
 
+/// Is the preview that is shown of a tool?
+bool shows_tool_preview(const EditorState& state);
+
 /// Is something being read, derived or analysed, so that more will change by itself?
 bool is_busy(const EditorState& state);
 
+/// "facade.lsys – Rinceau", with a "*" before it if there are unsaved changes.
+std::string window_title(const EditorState& state);
+
+/// Would be lost if the window closed now: compared with what the file holds, by versions. A file of a grammar alone does
+/// not hold locks and options. Quick, for every frame.
 bool has_unsaved_changes(const EditorState& state);
 
 }  // namespace rinceau

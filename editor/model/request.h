@@ -2,13 +2,19 @@
 // What update() asks of the world outside; effects/ fulfils it and answers with actions.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "analyzer/analyze.h"
+#include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
+#include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
+#include "editor/model/preferences.h"
+#include "editor/model/tool_edit.h"
+#include "editor/model/view_transform.h"
 
 namespace rinceau {
 
@@ -16,16 +22,65 @@ namespace rinceau {
 struct ReadDocument {
     std::string path;
 };
-/// The grammar of the document to a .lsys file. Answered by FileSaved or SaveFailed.
+/// Answered by FileSaved, SaveFailed, WouldReplace if another file stands there and `replace` is false, or
+/// FileChangedOutside if the file is not the `expected` one.
 struct WriteDocument {
     std::string path;
     Document document;
+    ViewTransform view;
+    bool replace = false;
+    std::optional<FileStamp> expected;
 };
-/// Answered by FileExported or SaveFailed.
+/// Answered by ExportProgress and FileExported, ExportFailed or WouldReplace.
 struct WriteExport {
-    std::string path;
-    std::string format;
+    ExportFile what;
     Document document;
+};
+/// Answered by ExportFailed, once nothing will be written any more.
+struct StopExport {};
+/// This window has the file open now (empty = none): other windows are warned. Warns by FileHeldElsewhere.
+struct HoldFile {
+    std::string path;
+};
+// Folders are named absolutely, with ~, or relative to `from` (empty = where the program was started).
+/// Answered by FolderListed or FolderFailed; a later one takes its place.
+struct ListFolder {
+    std::string folder;
+    std::string from;
+};
+/// Makes it and lists it.
+struct MakeFolder {
+    std::string folder;
+    std::string from;
+};
+/// Answered by PathSeen.
+struct LookAtPath {
+    std::string path;
+    std::string from;
+};
+/// Answered by SamplesListed.
+struct ListSamples {};
+/// The document into this window's copy for emergencies, as opened from `path`. Answered by RecoveryWritten or
+/// RecoveryFailed.
+struct WriteRecovery {
+    Document document;
+    ViewTransform view;
+    std::string path;
+    std::optional<FileStamp> stamp;
+};
+/// This window's copy goes.
+struct RemoveRecovery {};
+/// Answered by RecoverablesFound.
+struct FindRecoverables {};
+/// A copy that was found becomes this window's. Answered by DocumentRecovered or RecoverableFailed.
+struct ReadRecovery {
+    std::string file;
+};
+struct DiscardRecovery {
+    std::string file;
+};
+struct WritePreferences {
+    Preferences preferences;
 };
 /// Answered by PictureDerived or PictureFailed; a later one takes its place.
 struct DerivePicture {
@@ -46,6 +101,17 @@ struct LightRule {
 struct DeriveBefore {
     Document document;
 };
+/// Answered by TextChecked.
+struct CheckText {
+    std::uint64_t revision = 0;
+    std::string text;
+    std::string file;
+    Document document;
+};
+/// How deep the document can be derived. Answered by DepthMeasured.
+struct MeasureDepth {
+    Document document;
+};
 /// Answered by AnalysisProgress and AnalysisDone or AnalysisFailed; a later one takes its place.
 struct RunAnalysis {
     std::uint64_t job = 0;
@@ -54,10 +120,64 @@ struct RunAnalysis {
 };
 /// Not answered.
 struct StopAnalysis {};
+/// Answered by ClustersFound or ClustersFailed; a later one takes its place.
+struct TabulateClusters {
+    std::uint64_t job = 0;
+    std::shared_ptr<const Scene> drawing;
+    AnalyzeOptions options;
+};
+/// Answered by ElementsMapped; a later one takes its place.
+struct MapElements {
+    std::shared_ptr<const DerivedPicture> picture;
+    std::shared_ptr<const Scene> drawing;
+};
+/// Answered by ToolDone or ToolFailed.
+struct RunTool {
+    std::uint64_t job = 0;
+    Document document;
+    std::shared_ptr<const ToolEdit> edit;
+    bool at_once = false;  ///< it is quick
+};
+/// What takes the place of a symbol, in the words of files/replacement_text.h. Answered by ReplacementRead or
+/// ReplacementFailed.
+struct ReadReplacement {
+    std::string symbol;
+    std::string with;
+};
 struct CloseWindow {};
 
-using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, LightRule, DeriveBefore, RunAnalysis, StopAnalysis, CloseWindow>;
+// clang-format off: one a line, so that the list grows without touching other lines
+using Request = std::variant<
+    ReadDocument,
+    WriteDocument,
+    WriteExport,
+    DerivePicture,
+    FindSelection,
+    CheckText,
+    MeasureDepth,
+    LightRule,
+    DeriveBefore,
+    RunAnalysis,
+    StopAnalysis,
+    TabulateClusters,
+    MapElements,
+    RunTool,
+    ReadReplacement,
+    CloseWindow,
+    StopExport,
+    HoldFile,
+    ListFolder,
+    MakeFolder,
+    LookAtPath,
+    ListSamples,
+    WriteRecovery,
+    RemoveRecovery,
+    FindRecoverables,
+    ReadRecovery,
+    DiscardRecovery,
+    WritePreferences
+>;
+// clang-format on
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "lsystem/grammar_names.h"
 #include "lsystem/grammar_text.h"
 
 namespace rinceau {
@@ -94,6 +95,7 @@ void place_number(RuleSheet& sheet, int index) {
 RuleSheet rule_sheet(std::shared_ptr<const Grammar> grammar) {
     RuleSheet sheet;
     sheet.numbers = grammar_numbers(*grammar);
+    sheet.random = draws_random_numbers(*grammar);
     add_cards(*grammar, sheet);
     for (std::size_t i = 0; i < sheet.numbers.size(); ++i) place_number(sheet, static_cast<int>(i));
     sheet.grammar = std::move(grammar);

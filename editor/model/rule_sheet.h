@@ -29,6 +29,7 @@ struct RuleSheet {
     std::vector<RuleCard> exceptions;
     std::vector<RuleCard> styles;
     std::vector<int> picture;  ///< indices: canvas and seed
+    bool random = false;       ///< what it draws may depend on the seed
 };
 
 RuleSheet rule_sheet(std::shared_ptr<const Grammar> grammar);

@@ -1,5 +1,6 @@
 #include "editor/model/update.h"
 
+#include <optional>
 #include <utility>
 
 #include "editor/model/update_parts.h"
@@ -9,13 +10,29 @@
 namespace rinceau {
 namespace {
 
-EditResult checked(const Update& update, const std::function<EditResult(const Grammar&)>& edit) {
-    const Document& document = update.state.document;
+/// What is checked between two frames.
+constexpr std::uint64_t modules_checked = 200'000;
+
+EditResult checked(const Document& document, EditResult result) {
     CheckEditOptions options;
     options.derive = document.derive;
+    options.unchecked_above = modules_checked;
     options.for_drawing = [&](const Grammar& grammar) { return *with_grammar(document, grammar).resolved; };
-    EditResult result = keep_locked(*document.grammar, edit(*document.grammar), document.locked);
     return checked_edit(*document.grammar, std::move(result), options);
+}
+
+/// Throws as edits do; nothing if the document stays as it is.
+std::optional<Document> edited(const Document& before, const DocumentEdit& edit, std::vector<std::string>& changes) {
+    EditResult result = edit.grammar(*before.grammar);
+    if (!edit.locked) result = keep_locked(*before.grammar, std::move(result), before.locked);
+    result = checked(before, std::move(result));
+    Document after = with_grammar(before, std::move(result.grammar));
+    if (edit.locked) after.locked = edit.locked(after);
+    if (edit.rest) edit.rest(after);
+    const bool same = result.changes.empty() && same_document(before, after);
+    changes = std::move(result.changes);
+    if (same) return std::nullopt;
+    return after;
 }
 
 }  // namespace
@@ -40,17 +57,26 @@ void record_edit(Update& update, Document after, const std::string& label) {
     show_anew(update);
 }
 
-void edit_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit) {
+bool edit_document(Update& update, const DocumentEdit& edit) {
     try {
-        EditResult result = checked(update, edit);
-        Document after = with_grammar(update.state.document, std::move(result.grammar));
-        for (std::string& change : result.changes) tell(update, MessageKind::note, std::move(change));
-        record_edit(update, std::move(after), label);
+        std::vector<std::string> changes;
+        std::optional<Document> after = edited(update.state.document, edit, changes);
+        for (std::string& change : changes) tell(update, MessageKind::note, std::move(change));
+        if (after) {
+            record_edit(update, std::move(*after), edit.label);
+            return true;
+        }
+        tell(update, MessageKind::note, "Nothing is different after: " + edit.label);
     } catch (const InputError& error) {
         tell(update, MessageKind::mistake, error.what());
     } catch (const LimitError& error) {
         tell(update, MessageKind::mistake, error.what());
     }
+    return false;
+}
+
+bool edit_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit) {
+    return edit_document(update, {.label = label, .grammar = edit, .locked = {}, .rest = {}});
 }
 
 void preview_grammar(Update& update, const std::string& label, const std::function<EditResult(const Grammar&)>& edit) {
@@ -66,11 +92,16 @@ void preview_grammar(Update& update, const std::string& label, const std::functi
     }
 }
 
+void drop_preview(Update& update) {
+    if (!update.state.preview) return;
+    update.state.preview.reset();
+    show_anew(update);
+}
+
 void replace_document(Update& update, Document document) {
     EditorState& state = update.state;
     state.document = std::move(document);
     if (!state.document.origin) state.document.origin = state.document.grammar;
-    if (state.document.drawing && !state.document.found) state.document.found = state.document.grammar;
     state.history = {};
     state.preview.reset();
     forget_analysis(update);
@@ -86,7 +117,7 @@ Update update(EditorState state, const Action& action) {
     Update result{std::move(state), {}};
     std::visit([&](const auto& of_area) { perform(result, of_area); }, action);
     settle_analysis(result);
-    refresh_rule_sheets(result.state);
+    refresh_rules(result);
     return result;
 }
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "editor/model/analysis_words.h"
-#include "editor/model/update_parts.h"
+#include "editor/model/update_analysis.h"
 #include "lsystem/grammar_text.h"
 
 namespace rinceau {
@@ -39,7 +39,7 @@ void stop(Update& update) {
 Document with_analysis(const Document& document, const std::shared_ptr<const Analysis>& analysis,
                        const AnalyzeOptions& options) {
     Document after = document;
-    after.grammar = after.resolved = after.found = after.origin = {analysis, &analysis->grammar};
+    after.grammar = after.resolved = after.origin = {analysis, &analysis->grammar};
     after.report = {analysis, &analysis->report};
     after.used = nullptr;
     after.analysis = options;
@@ -57,7 +57,8 @@ void take_as_opened(Update& update, Document after) {
     EditorState& state = update.state;
     state.document = std::move(after);
     state.preview.reset();
-    state.file.saved_grammar = state.document.grammar;
+    state.file.awaits_rules = false;
+    state.file.saved = state.document;
     show_anew(update);
 }
 
@@ -68,7 +69,7 @@ bool found_the_same(const Document& before, const Document& after) {
 void take_over(Update& update, Document after) {
     EditorState& state = update.state;
     const Document& before = state.document;
-    const bool first = !before.report && !rules_were_edited(before) && state.history.past.empty();
+    const bool first = state.file.awaits_rules && !rules_were_edited(before) && state.history.past.empty();
     if (!first && found_the_same(before, after)) {
         tell(update, MessageKind::note, "The analysis finds the same rules again");
         show_document(update);
@@ -94,7 +95,7 @@ void show_tried(Update& update, Document found) {
     show_anew(update);
 }
 
-void perform_one(Update& update, const StartAnalysis& action) {
+void analyse(Update& update, const StartAnalysis& action) {
     EditorState& state = update.state;
     if (!state.document.drawing) {
         tell(update, MessageKind::mistake,
@@ -112,7 +113,7 @@ void perform_one(Update& update, const StartAnalysis& action) {
     }
 }
 
-void perform_one(Update& update, const TryAnalysis& action) {
+void analyse(Update& update, const TryAnalysis& action) {
     AnalysisState& analysis = update.state.analysis;
     if (!update.state.document.drawing) return;
     if (analysis.running && same_analysis(analysis.options, action.options)) {
@@ -124,21 +125,21 @@ void perform_one(Update& update, const TryAnalysis& action) {
     }
 }
 
-void perform_one(Update& update, const CancelAnalysis&) {
+void analyse(Update& update, const CancelAnalysis&) {
     if (!update.state.analysis.running) return;
     stop(update);
     show_document(update);
     tell(update, MessageKind::note, "The analysis was stopped; the rules are as they were before");
 }
 
-void perform_one(Update& update, const AnalysisProgress& action) {
+void analyse(Update& update, const AnalysisProgress& action) {
     AnalysisState& analysis = update.state.analysis;
     if (action.job != analysis.job || !analysis.running) return;
     analysis.stage = action.stage;
     analysis.fraction = action.fraction;
 }
 
-void perform_one(Update& update, const AnalysisDone& action) {
+void analyse(Update& update, const AnalysisDone& action) {
     EditorState& state = update.state;
     if (action.job != state.analysis.job || !state.analysis.running) return;
     state.analysis.running = false;
@@ -150,7 +151,7 @@ void perform_one(Update& update, const AnalysisDone& action) {
     if (const auto next = state.analysis.next) start(update, *next, true);
 }
 
-void perform_one(Update& update, const AnalysisFailed& action) {
+void analyse(Update& update, const AnalysisFailed& action) {
     const AnalysisState& analysis = update.state.analysis;
     if (action.job != analysis.job || !analysis.running) return;
     stop(update);
@@ -161,6 +162,8 @@ void perform_one(Update& update, const AnalysisFailed& action) {
 }  // namespace
 
 void settle_analysis(Update& update) {
+    settle_grouping(update);
+    follow_clusters(update);
     EditorState& state = update.state;
     if (!state.analysis.waiting || (state.preview && !shows_tried(state))) return;
     const auto found = std::exchange(state.analysis.waiting, nullptr);
@@ -175,7 +178,7 @@ void drop_tried_analysis(Update& update) {
 void forget_analysis(Update& update) { stop(update); }
 
 void perform(Update& update, const AnalysisAction& action) {
-    std::visit([&](const auto& one) { perform_one(update, one); }, action);
+    std::visit([&](const auto& one) { analyse(update, one); }, action);
 }
 
 }  // namespace rinceau

@@ -1,8 +1,9 @@
 // Numbers: dragged, typed, reset, locked.
 
+#include <algorithm>
+
 #include "editor/model/number_feel.h"
 #include "editor/model/update_rules.h"
-#include "lsystem/grammar_text.h"
 #include "lsystem/set_numbers.h"
 
 namespace rinceau {
@@ -15,25 +16,30 @@ const GrammarNumber* number_named(const std::shared_ptr<const RuleSheet>& sheet,
     return index < 0 ? nullptr : &sheet->numbers[at(index)];
 }
 
-EditResult with_number(const Grammar& grammar, const std::string& name, double value) {
+EditResult with_number(const Grammar& grammar, const std::string& name, double value, const SetOptions& options = {}) {
     const NumberEdit edit{.name = name, .value = number_expression(value)};
-    return set_numbers(grammar, {&edit, 1});
+    return set_numbers(grammar, {&edit, 1}, options);
 }
+
+std::string set_label(const std::string& name) { return "set " + name; }
 
 void drag(Update& update, const SetNumber& action) {
     RulesState& rules = update.state.rules;
     const GrammarNumber* number = number_named(rules.sheet, action.name);
     if (number == nullptr) return;
     if (!rules.dragged || rules.dragged->name != action.name) {
-        rules.dragged = {.name = action.name, .start = number->value};
+        rules.dragged = {.name = action.name, .start = number->value, .set = number->value};
         update.state.preview.reset();
     }
     if (rules.dragged->dropped) return;
     rules.dragged->wanted = action.value;
     const double value = felt_value(number_feel(*number, rules.dragged->start), action.value);
-    if (value == number->value) return;
-    preview_grammar(update, "set " + action.name,
-                    [&](const Grammar& grammar) { return with_number(grammar, action.name, value); });
+    if (value == rules.dragged->set) return;
+    const auto revision = update.state.revision;
+    preview_grammar(update, set_label(action.name), [&](const Grammar& grammar) {
+        return with_number(grammar, action.name, value, {.nearest_ring = true, .say_changes = false});
+    });
+    if (update.state.revision != revision) rules.dragged->set = value;
 }
 
 std::string edit_text(const TypedNumber& typed) {
@@ -48,20 +54,19 @@ std::string edit_text(const TypedNumber& typed) {
 bool commit_drag(Update& update) {
     EditorState& state = update.state;
     if (!state.rules.dragged) return false;
-    const std::string name = state.rules.dragged->name;
+    const DraggedNumber dragged = *state.rules.dragged;
     state.rules.dragged.reset();
-    const GrammarNumber* number = state.preview ? number_named(state.rules.sheet, name) : nullptr;
-    if (number == nullptr) return false;
-    const double value = number->value;
-    const auto before = state.document.grammar;
-    edit_grammar(update, state.preview_label, [&](const Grammar& grammar) { return with_number(grammar, name, value); });
-    if (state.document.grammar == before) drop_preview(update);
+    if (!state.preview || state.preview_label != set_label(dragged.name)) return false;
+    const bool recorded = edit_grammar(update, set_label(dragged.name), [&](const Grammar& grammar) {
+        return with_number(grammar, dragged.name, dragged.set, {.nearest_ring = true});
+    });
+    if (!recorded) drop_preview(update);
     return true;
 }
 
 void perform_one(Update& update, const SetNumber& action) {
     if (action.preview) return drag(update, action);
-    edit_grammar(update, "set " + action.name,
+    edit_grammar(update, set_label(action.name),
                  [&](const Grammar& grammar) { return with_number(grammar, action.name, action.value); });
 }
 
@@ -106,24 +111,34 @@ void perform_one(Update& update, const LockNumber& action) {
     if (changes) record_edit(update, std::move(after), (action.locked ? "lock " : "unlock ") + action.name);
 }
 
+void perform_one(Update& update, const SetDepth& action) {
+    EditorState& state = update.state;
+    Document after = state.document;
+    after.derive.depth = std::max(action.depth, -1);
+    if (action.preview) {
+        state.preview = std::move(after);
+        state.preview_label = "set the depth";
+        show_anew(update);
+    } else if (after.derive.depth != state.document.derive.depth) {
+        record_edit(update, std::move(after), "set the depth");
+    }
+}
+
+void perform_one(Update& update, const SetSeed& action) {
+    const std::string seed = std::to_string(action.seed);
+    const auto set_seed = [&](const Grammar& grammar) -> EditResult {
+        Grammar seeded = grammar;
+        seeded.seed = action.seed;
+        return {std::move(seeded), {}};
+    };
+    edit_document(update,
+                  {.label = "set the seed to " + seed, .grammar = set_seed, .locked = {}, .rest = [](Document& after) {
+                       after.derive.seed.reset();  // the grammar's own holds
+                   }});
+}
+
 void perform_one(Update& update, const FilterRules& action) { update.state.rules.filter = action.text; }
 
 void perform_one(Update& update, const ShowRuleDetails& action) { update.state.rules.details = action.shown; }
-
-void refresh_rule_sheets(EditorState& state) {
-    const auto refresh = [](std::shared_ptr<const RuleSheet>& sheet, const std::shared_ptr<const Grammar>& grammar) {
-        if (!grammar) {
-            sheet.reset();
-        } else if (!sheet || sheet->grammar != grammar) {
-            sheet = std::make_shared<const RuleSheet>(rule_sheet(grammar));
-        }
-    };
-    refresh(state.rules.sheet, shown_document(state).grammar);
-    if (state.document.origin == state.document.grammar && !state.preview) {
-        state.rules.origin = state.rules.sheet;
-    } else {
-        refresh(state.rules.origin, state.document.origin);
-    }
-}
 
 }  // namespace rinceau

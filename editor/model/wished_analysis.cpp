@@ -10,7 +10,9 @@ AnalyzeOptions wished_analysis(const EditorState& state) {
 
 AnalyzeOptions default_analysis(const EditorState& state) {
     AnalyzeOptions options;
-    options.threads = wished_analysis(state).threads;
+    const AnalyzeOptions wished = wished_analysis(state);
+    options.threads = wished.threads;
+    options.grouping = wished.grouping;
     return options;
 }
 

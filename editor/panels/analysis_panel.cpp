@@ -4,7 +4,7 @@
 
 #include "editor/model/analysis_words.h"
 #include "editor/model/wished_analysis.h"
-#include "editor/panels/panel.h"
+#include "editor/panels/analysis_parts.h"
 
 namespace rinceau {
 namespace {
@@ -17,8 +17,8 @@ constexpr double largest_weight = 4;
 /// What the settings were before a widget, and what it makes of them.
 class Settings {
   public:
-    Settings(AnalyzeOptions options, const PanelTools& tools, Actions& actions)
-        : options_(std::move(options)), tools_(tools), actions_(actions) {}
+    Settings(const EditorState& state, const PanelTools& tools, Actions& actions)
+        : state_(state), options_(wished_analysis(state)), tools_(tools), actions_(actions) {}
 
     const AnalyzeOptions& options() const { return options_; }
 
@@ -31,7 +31,11 @@ class Settings {
         if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s", help);
         set(options_, value);
         if (changed) actions_.push_back(AnalysisAction{TryAnalysis{options_}});
-        if (ImGui::IsItemDeactivatedAfterEdit()) actions_.push_back(AnalysisAction{StartAnalysis{options_}});
+        if (ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+            actions_.push_back(RulesAction{DropPreview{}});
+        // Esc may have dropped what was tried: then there is nothing to begin.
+        if (ImGui::IsItemDeactivatedAfterEdit() && (state_.preview || state_.analysis.running || changed))
+            actions_.push_back(AnalysisAction{StartAnalysis{options_}});
     }
 
     void choice(const char* label, bool on, const char* help, void (*set)(AnalyzeOptions&, bool)) {
@@ -44,6 +48,7 @@ class Settings {
     }
 
   private:
+    const EditorState& state_;
     AnalyzeOptions options_;
     const PanelTools& tools_;
     Actions& actions_;
@@ -117,6 +122,27 @@ void summary(const AnalysisReport& report) {
     for (const std::string& warning : report.warnings) ImGui::TextWrapped("! %s", warning.c_str());
 }
 
+void add(Actions& all, Actions more) {
+    for (Action& action : more) all.push_back(std::move(action));
+}
+
+bool section(const char* label, const PanelTools& tools, ImGuiTreeNodeFlags flags = 0) {
+    const bool open = ImGui::CollapsingHeader(label, flags);
+    note_place(tools, std::string("analysis/") + label);
+    return open;
+}
+
+void clusters(const EditorState& state, const PanelTools& tools, Actions& actions) {
+    const bool open = section("Clusters", tools);
+    if (open != state.clusters.wanted) actions.push_back(AnalysisAction{ShowClusters{open}});
+    if (!open) return;
+    if (state.clusters.running) ImGui::TextUnformatted("finding clusters ...");
+    if (!state.clusters.mistake.empty()) ImGui::TextWrapped("%s", state.clusters.mistake.c_str());
+    if (!state.clusters.found) return;
+    add(actions, clusters_table(state, tools));
+    add(actions, space_plots(state, tools));
+}
+
 }  // namespace
 
 Actions analysis_panel(const EditorState& state, const PanelTools& tools) {
@@ -125,20 +151,28 @@ Actions analysis_panel(const EditorState& state, const PanelTools& tools) {
         ImGui::TextWrapped("This document has no drawing to analyse. Open an .svg to see how its rules are found.");
         return actions;
     }
-    Settings settings(wished_analysis(state), tools, actions);
+    Settings settings(state, tools, actions);
     if (ImGui::Button("Analyse")) actions.push_back(AnalysisAction{StartAnalysis{settings.options()}});
     note_place(tools, "analysis/Analyse");
     ImGui::SameLine();
     if (ImGui::Button("Defaults")) actions.push_back(AnalysisAction{StartAnalysis{default_analysis(state)}});
     note_place(tools, "analysis/Defaults");
     progress_row(state, tools, actions);
-    constexpr float label_room = 9;  // in font sizes
-    ImGui::PushItemWidth(-label_room * ImGui::GetFontSize());
-    how_alike(settings);
-    weights(settings);
-    ImGui::PopItemWidth();
-    choices(settings);
-    if (const auto& report = shown_document(state).report) summary(*report);
+    if (section("Settings", tools, ImGuiTreeNodeFlags_DefaultOpen)) {
+        constexpr float label_room = 9;  // in font sizes
+        ImGui::PushItemWidth(-label_room * ImGui::GetFontSize());
+        how_alike(settings);
+        weights(settings);
+        ImGui::PopItemWidth();
+        choices(settings);
+    }
+    const auto& report = shown_document(state).report;
+    if (report && section("Result", tools, ImGuiTreeNodeFlags_DefaultOpen)) {
+        summary(*report);
+        add(actions, found_rules(state, tools));
+    }
+    clusters(state, tools, actions);
+    if (section("Groups by hand", tools)) add(actions, grouping_tools(state, tools));
     return actions;
 }
 

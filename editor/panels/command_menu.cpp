@@ -2,40 +2,15 @@
 
 #include <imgui.h>
 
-#include <algorithm>
+#include "editor/panels/frame_timing.h"
 
 namespace rinceau {
-namespace {
-
-void tooltip(const Command& command) {
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    constexpr float widest = 32;  // in letters' heights
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(widest * ImGui::GetFontSize());
-    ImGui::TextUnformatted(command.help.c_str());
-    ImGui::PopTextWrapPos();
-    if (!command.shortcut.empty()) ImGui::TextDisabled("%s", command.shortcut.c_str());
-    ImGui::EndTooltip();
-}
-
-}  // namespace
-
-const std::vector<Command>& commands() {
-    static const std::vector<Command> all = all_commands();
-    return all;
-}
-
-const Command* find_command(const std::string& name) {
-    const auto found = std::ranges::find(commands(), name, &Command::name);
-    return found == commands().end() ? nullptr : &*found;
-}
-
 void command_entry(const Command& command, const EditorState& state, const PanelTools& tools, Actions& actions) {
     const bool checked = command.checked != nullptr && command.checked(state);
-    if (ImGui::MenuItem(command.label.c_str(), command.shortcut.c_str(), checked, is_enabled(command, state)))
+    if (ImGui::MenuItem(command.label.c_str(), first_shortcut(command).c_str(), checked, is_enabled(command, state)))
         actions.push_back(command.action(state));
     note_place(tools, "menu/" + command.name);
-    tooltip(command);
+    tooltip(command.help, command.shortcut);
 }
 
 void command_button(const Command& command, const std::string& area, const EditorState& state, const PanelTools& tools,
@@ -44,7 +19,18 @@ void command_button(const Command& command, const std::string& area, const Edito
     if (ImGui::Button((command.label + "##" + command.name).c_str())) actions.push_back(command.action(state));
     note_place(tools, area + "/" + command.name);
     ImGui::EndDisabled();
-    tooltip(command);
+    tooltip(command.help, command.shortcut);
+}
+
+void tooltip(const std::string& text, const std::string& shortcut) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || !mouse_has_rested()) return;
+    constexpr float widest = 32;  // in letters' heights
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(widest * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    if (!shortcut.empty()) ImGui::TextDisabled("%s", shortcut_text(shortcut).c_str());
+    ImGui::EndTooltip();
 }
 
 }  // namespace rinceau

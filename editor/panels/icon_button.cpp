@@ -42,6 +42,11 @@ void draw_reset(const IconBox& box) {
                                 {head.x + 0.4F * wing, head.y + wing}, box.color);
 }
 
+/// Three dots below each other.
+void draw_menu(const IconBox& box) {
+    for (const float y : {0.27F, 0.5F, 0.73F}) box.list->AddCircleFilled(box.at(0.5F, y), 0.07F * box.size, box.color);
+}
+
 }  // namespace
 
 float icon_button_width() { return ImGui::GetFrameHeight(); }
@@ -57,6 +62,8 @@ bool icon_button(const char* id, Icon icon, const char* tooltip) {
     const IconBox box{ImGui::GetWindowDrawList(), low, size, color};
     if (icon == Icon::reset) {
         draw_reset(box);
+    } else if (icon == Icon::menu) {
+        draw_menu(box);
     } else {
         draw_lock(box, icon == Icon::locked);
     }

@@ -5,7 +5,7 @@
 
 namespace rinceau {
 
-enum class Icon : unsigned char { locked, unlocked, reset };
+enum class Icon : unsigned char { locked, unlocked, reset, menu };
 
 /// As large as a line of text is high. True if it was pressed. `id` is unique in the window; `tooltip` says what it does.
 bool icon_button(const char* id, Icon icon, const char* tooltip);

@@ -7,11 +7,13 @@
 #include "editor/model/action.h"
 #include "editor/model/editor_state.h"
 #include "editor/model/places_json.h"
+#include "editor/panels/fonts.h"
 
 namespace rinceau {
 
 struct PanelTools {
-    float scale = 1;                             ///< of the display
+    float scale = 1;                             ///< of fonts and widgets, in window coordinates
+    EditorFonts fonts;                           ///< the usual one is set anyway
     unsigned canvas_texture = 0;                 ///< of PictureRenderer
     std::vector<WidgetPlace>* places = nullptr;  ///< null = nobody asks
 };
@@ -28,10 +30,15 @@ Actions analysis_panel(const EditorState& state, const PanelTools& tools);
 Actions log_panel(const EditorState& state, const PanelTools& tools);
 Actions file_dialogs(const EditorState& state, const PanelTools& tools);
 
-/// The menus of all commands, in the menu bar of the current window.
+// Parts of the window around the panels.
 Actions menu_bar(const EditorState& state, const PanelTools& tools);
+Actions toolbar(const EditorState& state, const PanelTools& tools);
+Actions welcome_panel(const EditorState& state, const PanelTools& tools);
+Actions status_line(const EditorState& state, const PanelTools& tools);
+Actions help_window(const EditorState& state, const PanelTools& tools);
+Actions command_palette(const EditorState& state, const PanelTools& tools);
 
-/// The whole window: menu, panels, canvas, status line.
+/// The whole window: menu, toolbar, panels, canvas, status line, and the windows over them.
 Actions editor_window(const EditorState& state, const PanelTools& tools);
 
 }  // namespace rinceau
