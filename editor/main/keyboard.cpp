@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -60,6 +61,12 @@ KeyPress press_of(int key, int scancode, int action, int mods) {
         {name_of(key, scancode), ctrl, held(GLFW_MOD_SHIFT), held(GLFW_MOD_ALT)}, position_of(key), action == GLFW_REPEAT};
 }
 
+bool is_in_menu() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.NavWindow == nullptr || context.IO.WantTextInput) return false;
+    return context.NavLayer == ImGuiNavLayer_Menu || (context.NavWindow->Flags & ImGuiWindowFlags_ChildMenu) != 0;
+}
+
 bool is_shift(int key) { return key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT; }
 
 /// The key itself does nothing where its letter is typed, so that it may come and go within a frame.
@@ -86,15 +93,25 @@ bool Keyboard::fits(const Event& event, const FedFrame& frame) {
     return !frame.letters && !frame.keys.contains(event.key);
 }
 
+/// Dear ImGui's menus open by Alt alone, and Space gives their entries; F10 and Enter mean the same elsewhere.
+int Keyboard::key_for_imgui(const Event& event) {
+    if (event.action == GLFW_PRESS) {
+        fed_as_.erase(event.key);
+        if (event.key == GLFW_KEY_F10) fed_as_[event.key] = GLFW_KEY_LEFT_ALT;
+        const bool enter = event.key == GLFW_KEY_ENTER || event.key == GLFW_KEY_KP_ENTER;
+        if (enter && is_in_menu()) fed_as_[event.key] = GLFW_KEY_SPACE;
+    }
+    const auto other = fed_as_.find(event.key);
+    return other == fed_as_.end() ? event.key : other->second;
+}
+
 void Keyboard::hand_on(const Event& event, FedFrame& frame) {
     if (event.letter != 0) {
         ImGui_ImplGlfw_CharCallback(window_, event.letter);
         frame.letters = true;
         return;
     }
-    // Dear ImGui's menus open by Alt alone; F10 means the same elsewhere.
-    const int key = event.key == GLFW_KEY_F10 ? GLFW_KEY_LEFT_ALT : event.key;
-    ImGui_ImplGlfw_KeyCallback(window_, key, event.scancode, event.action, event.mods);
+    ImGui_ImplGlfw_KeyCallback(window_, key_for_imgui(event), event.scancode, event.action, event.mods);
     frame.keys.insert(event.key);
     frame.acts = frame.acts || (!only_writes(event.key, event.mods) && !is_shift(event.key));
 }

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "editor/model/key_chord.h"
@@ -46,11 +47,13 @@ class Keyboard {
     struct FedFrame;
 
     static bool fits(const Event& event, const FedFrame& frame);
+    int key_for_imgui(const Event& event);
     void hand_on(const Event& event, FedFrame& frame);
 
     GLFWwindow* window_;
     std::deque<Event> events_;
-    int frames_to_wait_ = 0;  ///< after a command, before more is typed
+    std::map<int, int> fed_as_;  ///< keys that are down for Dear ImGui by another name
+    int frames_to_wait_ = 0;     ///< after a command, before more is typed
 };
 
 }  // namespace rinceau

@@ -133,16 +133,15 @@ class Session {
                 glfwWaitEvents();
             }
             const bool ticked = tick();
-            const bool answered = take_answers();
-            due = window_.had_input() || ticked || answered || glfwGetTime() >= frame_due;
+            take_answers();
+            due = window_.had_input() || ticked || pending_frames_ > 0 || glfwGetTime() >= frame_due;
         }
         pending_frames_ = frames_of_input;
     }
-    bool take_answers() {
+    void take_answers() {
         const Actions answers = answers_.drain();
-        for (const Action& answer : answers) act(answer);
         if (!answers.empty()) pending_frames_ = frames_of_input;
-        return !answers.empty();
+        for (const Action& answer : answers) act(answer);
     }
     /// True if the action asked for something.
     bool act(const Action& action) {

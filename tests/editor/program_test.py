@@ -128,7 +128,7 @@ def main():
             panels_are_reached_by_keyboard(editor)
             everything_fits(editor, 1024, 700)
             idle_costs_nothing(editor)
-            editor.keys('ctrl+q')
+            editor.tool('key', 'ctrl+q')
             assert editor.leave() == 0
         with Editor(display, program, tree / 'samples' / 'rosette.lsys', '--scale', 2, size=(1024, 700)) as editor:
             everything_fits(editor, 1024, 700)
