@@ -167,12 +167,14 @@ void draw_cards(const EditorState& state, const PanelTools& tools, Actions& acti
     const RuleSheet& sheet = *state.rules.sheet;
     const bool open = sheet.rules.size() <= most_open;
     SelectedCard selected(state);
+    int hovered = no_production;
     for (const RuleCard& card : sheet.rules) {
         if (!is_shown(state, card)) continue;
         selected.begin(card);
-        draw_card(state, tools, card, open, actions);
+        if (draw_card(state, tools, card, open, actions).hovered) hovered = SelectedCard::rule_of(card);
         selected.end();
     }
+    if (hovered != state.canvas.hovered_production) actions.push_back(CanvasAction{HoverRule{hovered}});
 }
 
 }  // namespace
