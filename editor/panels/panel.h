@@ -22,7 +22,7 @@ struct PanelTools {
     std::vector<WidgetPlace>* places = nullptr;   ///< null = nobody asks
 };
 
-/// Notes the place of the widget that was drawn last.
+/// Notes the place of the widget that was drawn last: the part that is not scrolled out of sight.
 void note_place(const PanelTools& tools, const std::string& name);
 
 // Each in the file of its name. They draw into the current window or child; dialogs open windows of their own.

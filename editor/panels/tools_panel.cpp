@@ -17,7 +17,8 @@ bool tool_header(const EditorState& state, const PanelTools& tools, ToolSection 
         actions.push_back(ToolsAction{OpenTool{ToolSection::none}});
     }
     const bool usual = section <= ToolSection::replace;
-    const bool open = ImGui::CollapsingHeader(label, usual ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    const std::string title = std::string(label) + "##section";  // a button of the same name stands below
+    const bool open = ImGui::CollapsingHeader(title.c_str(), usual ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
     note_place(tools, std::string("tools/") + label + " section");
     if (wanted) {
         ImGui::SetScrollHereY(0);
@@ -28,11 +29,7 @@ bool tool_header(const EditorState& state, const PanelTools& tools, ToolSection 
 
 namespace {
 
-void preview_strip(const EditorState& state, const PanelTools& tools, Actions& actions) {
-    if (!state.tools.mistake.empty()) ImGui::TextWrapped("%s", state.tools.mistake.c_str());
-    if (state.tools.running)
-        ImGui::TextDisabled("%s is being worked out ..", tool_label(*state.tools.running->edit).c_str());
-    if (!shows_tool_preview(state)) return;
+void previewed_tool(const EditorState& state, const PanelTools& tools, Actions& actions) {
     ImGui::TextWrapped("Preview: %s. Keep it, or press Esc.", state.preview_label.c_str());
     if (ImGui::Button("Keep")) actions.push_back(ToolsAction{KeepTool{}});
     note_place(tools, "tools/Keep");
@@ -41,7 +38,24 @@ void preview_strip(const EditorState& state, const PanelTools& tools, Actions& a
     note_place(tools, "tools/Drop");
     for (const std::string& change : state.tools.changes) ImGui::TextWrapped("%s", change.c_str());
     if (state.tools.changes.empty()) ImGui::TextDisabled("Nothing is different");
-    ImGui::Separator();
+}
+
+/// Of one height, with a preview or without: what is dragged below stays where it is.
+void preview_strip(const EditorState& state, const PanelTools& tools, Actions& actions) {
+    constexpr float lines = 4.5F;
+    if (ImGui::BeginChild("preview", {0, lines * ImGui::GetTextLineHeightWithSpacing()})) {
+        if (!state.tools.mistake.empty()) ImGui::TextWrapped("%s", state.tools.mistake.c_str());
+        if (state.tools.running)
+            ImGui::TextDisabled("%s is being worked out ..", tool_label(*state.tools.running->edit).c_str());
+        if (shows_tool_preview(state)) {
+            previewed_tool(state, tools, actions);
+        } else if (state.tools.mistake.empty() && !state.tools.running) {
+            ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+            ImGui::TextWrapped("What you set here is shown at once as a preview; the tool's button makes it an edit.");
+            ImGui::PopStyleColor();
+        }
+    }
+    ImGui::EndChild();
 }
 
 void symmetrize_section(const EditorState& state, const PanelTools& tools, Actions& actions) {

@@ -145,13 +145,22 @@ class Editor:
     def point(self, where):
         return self.place(where) if isinstance(where, str) else where
 
+    def seen(self, *words):
+        """Does it and waits until the editor has drawn the frames in which it sees it."""
+        before = self.state().get('frame', 0)
+        self.tool(*words)
+        end = time.monotonic() + 2  # where nothing changes, nothing is drawn
+        while self.state().get('frame', 0) < before + 2 and time.monotonic() < end:
+            time.sleep(0.01)
+
     def move(self, where):
         x, y = self.point(where)
-        self.tool('mousemove', round(x), round(y), 'sleep', '0.1')
+        self.seen('mousemove', round(x), round(y))
 
     def click(self, where, button=1):
         self.move(where)
-        self.tool('mousedown', button, 'sleep', '0.08', 'mouseup', button, 'sleep', '0.08')
+        self.seen('mousedown', button)
+        self.seen('mouseup', button)
         self.settle()
 
     def double_click(self, where):
@@ -159,16 +168,16 @@ class Editor:
         self.tool('click', '--repeat', 2, '--delay', 90, 1)
         self.settle()
 
-    def drag(self, start, end, steps=8, button=1, release=True):
+    def drag(self, start, end, steps=6, button=1, release=True):
         x0, y0 = self.point(start)
         x1, y1 = self.point(end)
-        words = ['mousemove', round(x0), round(y0), 'sleep', '0.1', 'mousedown', button, 'sleep', '0.1']
+        self.move((x0, y0))
+        self.seen('mousedown', button)
         for step in range(1, steps + 1):
             share = step / steps
-            words += ['mousemove', round(x0 + share * (x1 - x0)), round(y0 + share * (y1 - y0)), 'sleep', '0.05']
-        self.tool(*words)
+            self.move((x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
         if release:
-            self.tool('sleep', '0.1', 'mouseup', button, 'sleep', '0.05')
+            self.seen('mouseup', button)
         self.settle()
 
     def keys(self, *combinations):
@@ -195,7 +204,10 @@ class Editor:
     def enter_number(self, field, text):
         """Types a number into a field that is dragged, which Ctrl+click makes a text field."""
         self.move(field)
-        self.tool('keydown', 'ctrl', 'sleep', '0.1', 'mousedown', 1, 'sleep', '0.1', 'mouseup', 1, 'sleep', '0.1', 'keyup', 'ctrl')
+        self.seen('keydown', 'ctrl')
+        self.seen('mousedown', 1)
+        self.seen('mouseup', 1)
+        self.seen('keyup', 'ctrl')
         self.keys('ctrl+a')
         self.type(text)
         self.keys('Return')
