@@ -129,7 +129,7 @@ void pan(const std::string& name, const std::shared_ptr<const DerivedPicture>& p
 void drag() {
     const std::string text =
         "lsystem 1\n"
-        "canvas 0 0 1280 800\n"
+        "canvas 0 -800 1280 800\n"
         "axiom: Rows(100)\n"
         "Rows(m) : m > 0 -> [Row(100)] f(7.9) Rows(m-1)\n"
         "Row(m) : m > 0 -> [A] -(90) f(12.7) +(90) Row(m-1)\n"
