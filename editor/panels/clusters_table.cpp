@@ -98,8 +98,9 @@ void importance_tip(const ClusterRow& row, double importance) {
                       importance, row.terms.elements, row.terms.nearness, row.terms.similarity, row.terms.length);
 }
 
-/// One row; true if the mouse is over it.
-bool show_row(const EditorState& state, const PanelTools& tools, std::size_t index, double importance, Actions& actions) {
+/// One row, the so manieth of those that are shown; true if the mouse is over it.
+bool show_row(const EditorState& state, const PanelTools& tools, int place, std::size_t index, double importance,
+              Actions& actions) {
     const ClusterTable& table = state.clusters.found->table;
     const ClusterRow& row = table.rows[index];
     const int number = static_cast<int>(index);
@@ -112,7 +113,7 @@ bool show_row(const EditorState& state, const PanelTools& tools, std::size_t ind
                           ImGuiSelectableFlags_SpanAllColumns))
         actions.push_back(AnalysisAction{KeepCluster{number}});
     ImGui::PopID();
-    note_place(tools, "analysis/cluster " + std::to_string(index + 1));
+    note_place(tools, "analysis/cluster " + std::to_string(place + 1));
     const bool hovered = ImGui::IsItemHovered() || (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible);
     if (ImGui::IsItemHovered()) importance_tip(row, importance);
     ImGui::TableNextColumn();
@@ -159,7 +160,7 @@ Actions clusters_table(const EditorState& state, const PanelTools& tools) {
     while (clipper.Step()) {
         for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
             const std::size_t row = order[static_cast<std::size_t>(k)];
-            if (show_row(state, tools, row, ranked.importance[row], actions)) hovered = static_cast<int>(row);
+            if (show_row(state, tools, k, row, ranked.importance[row], actions)) hovered = static_cast<int>(row);
         }
     }
     ImGui::EndTable();

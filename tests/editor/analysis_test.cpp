@@ -12,6 +12,14 @@ namespace {
 
 const std::string path = RINCEAU_SOURCE_DIR "/samples/facade.svg";
 
+/// The real analysis; with the options that a drawing is opened with it is made once for all tests.
+std::shared_ptr<const Analysis> found_in(const Scene& drawing, const AnalyzeOptions& options) {
+    const auto analysed = [&] { return std::make_shared<const Analysis>(analyze(drawing, options)); };
+    if (!same_analysis(options, {})) return analysed();
+    static const std::shared_ptr<const Analysis> as_opened = analysed();
+    return as_opened;
+}
+
 /// A state, and what was asked of the world on the way to it.
 struct Editing {
     EditorState state = initial_state();
@@ -28,11 +36,8 @@ struct Editing {
         return found == requests.end() ? nullptr : &std::get<R>(*found);
     }
     std::uint64_t job() const { return state.analysis.job; }
-    /// The real analysis, as the worker does it.
-    void finish() {
-        auto found = std::make_shared<const Analysis>(analyze(*state.document.drawing, state.analysis.options));
-        act(AnalysisAction{AnalysisDone{job(), std::move(found)}});
-    }
+    /// As the worker does it.
+    void finish() { act(AnalysisAction{AnalysisDone{job(), found_in(*state.document.drawing, state.analysis.options)}}); }
     void draw() {
         if (const auto* asked = request<DerivePicture>())
             act(CanvasAction{
@@ -85,7 +90,7 @@ TEST_CASE("the first analysis of a drawing is no edit") {
 TEST_CASE("answers of an analysis that another took the place of are dropped") {
     Editing editing = opened();
     const auto old = editing.job();
-    const auto found = std::make_shared<const Analysis>(analyze(*editing.state.document.drawing));
+    const auto found = found_in(*editing.state.document.drawing, {});
     SECTION("by another analysis") { editing.act(AnalysisAction{StartAnalysis{nearer(2)}}); }
     SECTION("by another document") {
         editing.act(FileAction{OpenFile{path}});
