@@ -122,8 +122,10 @@ void PictureLayer::refine(const LayerTools& tools, Clock::time_point deadline, b
         if (!draw_pass(tools, first || finish ? Clock::time_point::max() : deadline)) return;
         if (!first) tools.screen.add(sum_, pass_.texture(), false);
         ++passes_;
+        if (finish) continue;
+        if (first) return;  // while the view moves nothing is added: a frame is one pass
         glFinish();
-        if (!finish && Clock::now() > deadline) return;
+        if (Clock::now() > deadline) return;
     }
 }
 

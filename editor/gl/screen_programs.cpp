@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <string>
 #include <string_view>
 
 namespace rinceau {
@@ -22,7 +23,9 @@ out vec4 result;
 void main() { result = texelFetch(source, ivec2(gl_FragCoord.xy), 0); }
 )";
 
-constexpr std::string_view compose_shader = R"(#version 330 core
+/// After a line "#define compared .." that says whether anything but the picture is shown: software renderers pay for
+/// what they skip, too.
+constexpr std::string_view compose_shader = R"(
 uniform sampler2D picture, lit, before, mask;
 uniform float picture_weight, lit_weight, before_weight, mask_weight;  // 0 = there is none
 uniform bool fades, difference;
@@ -54,6 +57,7 @@ vec3 on_paper(vec4 color, float inside) {
     return mix(outside, color.rgb + vec3(1.0 - color.a), inside);
 }
 
+#if compared
 // How far the nearest masked pixel makes this one part of the line.
 float line_share() {
     if (mask_weight == 0.0) return 0.0;
@@ -70,10 +74,13 @@ float line_share() {
     return most * (1.0 - at(mask, mask_weight).a);
 }
 
+#endif
+
 void main() {
     float inside = canvas_share();
     vec4 own = at(picture, picture_weight);
     vec3 color = on_paper(own, inside);
+#if compared
     if (before_weight > 0.0) {
         vec4 other = at(before, before_weight);
         if (difference) {
@@ -88,7 +95,9 @@ void main() {
         }
     }
     if (fades) color = mix(color, on_paper(at(lit, lit_weight), inside), lit_share);
-    result = vec4(mix(color, accent, line_share()), 1.0);
+    color = mix(color, accent, line_share());
+#endif
+    result = vec4(color, 1.0);
 }
 )";
 
@@ -113,9 +122,16 @@ void bind_source(const GlProgram& program, GLint unit, const char* sampler, cons
     glUniform1f(program.uniform(weight), source.name == 0 ? 0 : source.weight);
 }
 
+std::string composing_shader(bool compared) {
+    return std::string("#version 330 core\n#define compared ") + (compared ? "1" : "0") + std::string(compose_shader);
+}
+
 }  // namespace
 
-ScreenPrograms::ScreenPrograms() : copy_(whole_screen_shader, copy_shader), compose_(whole_screen_shader, compose_shader) {}
+ScreenPrograms::ScreenPrograms()
+    : copy_(whole_screen_shader, copy_shader),
+      compose_plain_(whole_screen_shader, composing_shader(false)),
+      compose_compared_(whole_screen_shader, composing_shader(true)) {}
 
 void ScreenPrograms::add(const PixelTarget& target, GLuint texture, bool replace) const {
     target.bind();
@@ -132,19 +148,21 @@ void ScreenPrograms::add(const PixelTarget& target, GLuint texture, bool replace
 
 void ScreenPrograms::compose(const PixelTarget& target, const FrameParts& parts) const {
     target.bind();
-    compose_.use();
+    const bool compared = parts.fades || parts.before.name != 0 || parts.mask.name != 0;
+    const GlProgram& program = compared ? compose_compared_ : compose_plain_;
+    program.use();
     const std::array<const WeightedTexture*, 4> sources{&parts.picture, &parts.lit, &parts.before, &parts.mask};
     constexpr std::array samplers{"picture", "lit", "before", "mask"};
     constexpr std::array weights{"picture_weight", "lit_weight", "before_weight", "mask_weight"};
     for (std::size_t k = 0; k < sources.size(); ++k)
-        bind_source(compose_, static_cast<GLint>(k), samplers[k], weights[k], *sources[k]);
+        bind_source(program, static_cast<GLint>(k), samplers[k], weights[k], *sources[k]);
     glActiveTexture(GL_TEXTURE0);
-    glUniform1i(compose_.uniform("fades"), parts.fades ? 1 : 0);
-    glUniform1i(compose_.uniform("difference"), parts.difference ? 1 : 0);
-    glUniform4fv(compose_.uniform("canvas"), 1, glm::value_ptr(canvas_corners(parts.canvas)));
-    glUniform3fv(compose_.uniform("ground"), 1, glm::value_ptr(as_vector(parts.ground)));
-    glUniform3fv(compose_.uniform("accent"), 1, glm::value_ptr(as_vector(parts.accent)));
-    glUniform1f(compose_.uniform("outside_fade"), parts.outside_fade);
+    glUniform1i(program.uniform("fades"), parts.fades ? 1 : 0);
+    glUniform1i(program.uniform("difference"), parts.difference ? 1 : 0);
+    glUniform4fv(program.uniform("canvas"), 1, glm::value_ptr(canvas_corners(parts.canvas)));
+    glUniform3fv(program.uniform("ground"), 1, glm::value_ptr(as_vector(parts.ground)));
+    glUniform3fv(program.uniform("accent"), 1, glm::value_ptr(as_vector(parts.accent)));
+    glUniform1f(program.uniform("outside_fade"), parts.outside_fade);
     glBindVertexArray(no_vertices_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

@@ -38,7 +38,7 @@ class ScreenPrograms {
 
   private:
     GlVertexArray no_vertices_;
-    GlProgram copy_, compose_;
+    GlProgram copy_, compose_plain_, compose_compared_;
 };
 
 }  // namespace rinceau

@@ -11,7 +11,7 @@
 namespace rinceau {
 namespace {
 
-constexpr double pixel_deviation = 0.12;    // of a mesh from its curves, at the largest scale that it is used for
+constexpr double pixel_deviation = 0.25;    // of a mesh from its curves, at the largest scale that it is used for
 constexpr double buckets_an_octave = 4096;  // of the scales of fixed strokes
 constexpr std::size_t many_shapes = 4096;
 constexpr std::uint64_t tables_kept = 4;

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr Point frame_size{1280, 800};
-constexpr int frames = 30;
+constexpr int frames = 12;
 
 /// Of all threads of the program: does not depend on what else the machine does.
 double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -43,7 +43,18 @@ Path blob() {
     return path;
 }
 
+/// A leaf of two cubic curves, of radius 1.
+Path leaf() {
+    Path path;
+    path.start = {0, -1};
+    path.segments.push_back(curve_to({0.9, -0.4}, {0.9, 0.4}, {0, 1}));
+    path.segments.push_back(curve_to({-0.9, 0.4}, {-0.9, -0.4}, {0, -1}));
+    path.closed = true;
+    return path;
+}
+
 struct CrowdOptions {
+    bool leaves = false;
     int count = 10'000;
     int looks = 4;
     double opacity = 1;
@@ -63,7 +74,7 @@ std::shared_ptr<DerivedPicture> crowd(const CrowdOptions& options) {
         if (options.stroked) style.stroke.paint = Color{20, 20, 20};
         style.stroke.width = 0.15;
         grammar.styles.push_back({.number = k + 1, .style = style});
-        grammar.terminals.push_back({.symbol = "T" + std::to_string(k), .style = k + 1, .paths = {blob()}});
+        grammar.terminals.push_back({.symbol = "T" + std::to_string(k), .style = k + 1, .paths = {options.leaves ? leaf() : blob()}});
         picture->looks.push_back({k, k + 1});
     }
     picture->grammar = std::make_shared<const Grammar>(std::move(grammar));
@@ -165,6 +176,12 @@ int main() {
     const test::HiddenWindow window;
     std::printf("%-46s %8s %8s %8s %10s\n", "1280 x 800 pixels, milliseconds", "median", "worst", "a second", "processors");
     drag();
+    pan("1 leaf, panning", crowd({.leaves = true, .count = 1}));
+    pan("100 leaves, panning", crowd({.leaves = true, .count = 100}));
+    pan("10,000 leaves, panning", crowd({.leaves = true}));
+    pan("10,000 leaves with lines around", crowd({.leaves = true, .stroked = true}));
+    pan("100,000 leaves, panning", crowd({.leaves = true, .count = 100'000}));
+    pan("100,000 leaves, translucent", crowd({.leaves = true, .count = 100'000, .opacity = 0.6}));
     pan("10,000 instances of 30 curves, panning", crowd({.count = 10'000}));
     pan("10,000 with lines around", crowd({.count = 10'000, .stroked = true}));
     pan("10,000 translucent, four looks in turn", crowd({.count = 10'000, .opacity = 0.6}));

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Draws the pictures of docs/editor.md by using the editor under a virtual display.
+
+usage: scripts/draw_editor.py RINCEAU-EDITOR [FOLDER]      (FOLDER: docs/images/editor)
+"""
+import pathlib
+import sys
+
+from PIL import Image
+
+root = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(root / 'tests' / 'editor'))
+from window import Display, Editor  # noqa: E402
+
+COLOURS = 128  # of a picture: small files
+
+
+def keep(editor, folder, name, part=None):
+    """The window, or a part of it by the name of its widget, as folder/name.png."""
+    picture = Image.fromarray(editor.frame().astype('uint8'))
+    if part:
+        place = editor.places()[part]
+        picture = picture.crop(tuple(round(place[side]) for side in ('left', 'top', 'right', 'bottom')))
+    picture.quantize(COLOURS).save(folder / f'{name}.png', optimize=True)
+
+
+def panels(editor, folder):
+    editor.click('canvas')
+    keep(editor, folder, 'selected', 'canvas')
+    keep(editor, folder, 'rules', 'panel/Rules')
+    keep(editor, folder, 'terminals', 'panel/Terminals')
+    keep(editor, folder, 'analysis', 'panel/Analysis')
+    x, y = editor.place('handle/count Grid.count')
+    editor.drag((x, y), (x, y - 240), release=False)
+    keep(editor, folder, 'handle', 'canvas')
+    editor.tool('mouseup', 1)
+    editor.settle()
+    editor.keys('ctrl+z', 'Escape')
+    editor.click('tab/Tools')
+    editor.enter_number('tools/Randomize angle', '8')
+    keep(editor, folder, 'tools', 'panel/Tools')
+    keep(editor, folder, 'preview')
+    editor.keys('Escape')
+    editor.click('tab/Rules')
+    editor.click('rules/view text')
+    keep(editor, folder, 'text', 'panel/Rules')
+    editor.click('rules/view rules')
+
+
+def windows(editor, folder):
+    editor.keys('ctrl+e')
+    keep(editor, folder, 'export')
+    editor.click('export/Cancel')
+    editor.keys('ctrl+p')
+    editor.type('ring')
+    keep(editor, folder, 'palette')
+    editor.keys('Escape')
+    editor.keys('F1')
+    keep(editor, folder, 'help')
+    editor.keys('Escape')
+
+
+def main(program, folder=root / 'docs' / 'images' / 'editor'):
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    art = root / 'samples' / 'facade.svg'
+    with Display() as display:
+        with Editor(display, program, art) as editor:
+            keep(editor, folder, 'window')
+            panels(editor, folder)
+            windows(editor, folder)
+        with Editor(display, program, '--light', art) as editor:
+            keep(editor, folder, 'light')
+        with Editor(display, program, '--scale', '2', art) as editor:
+            keep(editor, folder, 'large')
+        with Editor(display, program) as editor:
+            keep(editor, folder, 'empty')
+
+
+if __name__ == '__main__':
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
