@@ -18,8 +18,7 @@ struct PathKnown {};
 /// What the turtle does to its pose; true if the command was one of these.
 bool move_turtle(Similarity& pose, const CompiledModule& module, double argument) {
     const auto turn = [&](double degrees) {
-        const Complex by =
-            module.constant ? module.turn : Complex{cosine_of_degrees(degrees), sine_of_degrees(degrees)};
+        const Complex by = module.constant ? module.turn : Complex{cosine_of_degrees(degrees), sine_of_degrees(degrees)};
         pose.linear = pose.linear * flipped_if(pose.mirrored, by);
     };
     switch (static_cast<TurtleCommand>(module.symbol)) {
@@ -74,8 +73,7 @@ class PathFinder {
 
     void exception(int number) { exception_ = number; }
 
-    void opened(const CompiledModule& module, std::span<const double> arguments, int production,
-                const StreamPlace& place) {
+    void opened(const CompiledModule& module, std::span<const double> arguments, int production, const StreamPlace& place) {
         const OpenModule& above = open_.back();
         const int exception = std::exchange(exception_, none);
         const bool own = above.production >= 0 && above.symbol == module.symbol;
@@ -264,8 +262,7 @@ std::vector<PathModule> derivation_path(const Grammar& grammar, const ElementQue
     return passed(compiled, element, false, options, progress).path();
 }
 
-std::optional<Similarity> pose_on_path(const Grammar& grammar, int order, std::size_t module,
-                                       const DeriveOptions& options) {
+std::optional<Similarity> pose_on_path(const Grammar& grammar, int order, std::size_t module, const DeriveOptions& options) {
     const CompiledGrammar compiled = compile(grammar, options.seed);
     const ElementQuery element{order, {}};
     const std::vector<PathModule> way = passed(compiled, element, true, options, {}).way();

@@ -7,9 +7,7 @@ namespace {
 
 constexpr double zoom_a_step = 1.25;
 
-Action zoom(const EditorState& state, double factor) {
-    return CanvasAction{ZoomView{0.5 * state.canvas.view.size, factor}};
-}
+Action zoom(const EditorState& state, double factor) { return CanvasAction{ZoomView{0.5 * state.canvas.view.size, factor}}; }
 
 Action toggled(const EditorState& state, OnionMode mode) {
     return CanvasAction{ShowOnion{state.canvas.onion == mode ? OnionMode::off : mode}};

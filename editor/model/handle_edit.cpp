@@ -40,8 +40,8 @@ std::optional<HandleEdit> numbers_edit(const Document& document, const HandleDra
     const CanvasHandle& handle = drag.handle;
     const PointDrag point_drag(*document.grammar, *document.resolved, document.derive);
     const AttachedPoint point{selected_element(drag.before), handle.level, handle.local};
-    const auto values = point_drag.solve(point, handle.numbers, handle.at + (drag.to - drag.from),
-                                         tolerated_pixels * pixel, snapping_pixels * pixel);
+    const auto values = point_drag.solve(point, handle.numbers, handle.at + (drag.to - drag.from), tolerated_pixels * pixel,
+                                         snapping_pixels * pixel);
     if (!values) return std::nullopt;
     std::vector<NumberEdit> edits;
     std::string label;

@@ -11,8 +11,8 @@
 namespace rinceau {
 namespace {
 
-constexpr int most_parts = 400;         ///< to which a handle can be dragged beyond twice the count
-constexpr double closed_share = 0.02;   ///< of a step by which a ring may miss its beginning
+constexpr int most_parts = 400;        ///< to which a handle can be dragged beyond twice the count
+constexpr double closed_share = 0.02;  ///< of a step by which a ring may miss its beginning
 constexpr int fewest_in_ring = 3;
 
 bool stands_at(const NumberSlot& slot, const PathModule& module) {
@@ -84,8 +84,8 @@ const GrammarNumber* number_of_count(const std::vector<GrammarNumber>& numbers, 
     for (const GrammarNumber& number : numbers) {
         if (number.kind != NumberKind::count || !number.parts.empty()) continue;
         if (!is_written_at(number, module) && !is_limit_of(number, module)) continue;
-        const bool better = best == nullptr || (own ? number.slots.size() < best->slots.size()
-                                                    : number.slots.size() > best->slots.size());
+        const bool better =
+            best == nullptr || (own ? number.slots.size() < best->slots.size() : number.slots.size() > best->slots.size());
         if (better) best = &number;
     }
     return best;

@@ -9,12 +9,12 @@
 namespace rinceau {
 namespace {
 
-constexpr double least_sine = 0.2;       ///< between two directions that numbers move to, for both to be of use
-constexpr double beyond_box = 0.12;      ///< share of a box by which a handle stands outside it
-constexpr double least_turn = 0.5;       ///< of what a number turns by, in its own degrees
-constexpr double least_growth = 0.5;     ///< of the logarithm of a scale, in its own
-constexpr double least_radial = 0.3;     ///< of a number's motion that leads away from a ring's centre
-constexpr double still_share = 1e-7;     ///< of the picture's diagonal: less is no motion
+constexpr double least_sine = 0.2;    ///< between two directions that numbers move to, for both to be of use
+constexpr double beyond_box = 0.12;   ///< share of a box by which a handle stands outside it
+constexpr double least_turn = 0.5;    ///< of what a number turns by, in its own degrees
+constexpr double least_growth = 0.5;  ///< of the logarithm of a scale, in its own
+constexpr double least_radial = 0.3;  ///< of a number's motion that leads away from a ring's centre
+constexpr double still_share = 1e-7;  ///< of the picture's diagonal: less is no motion
 
 double least_motion(const HandleContext& context) { return still_share * diagonal(context.document.resolved->canvas); }
 

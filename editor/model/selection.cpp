@@ -88,12 +88,10 @@ std::optional<Selection> selection_of_click(const Document& document, int order,
     return selection;
 }
 
-std::optional<Selection> selection_after_edit(const Document& document, const Selection& before,
-                                              const Progress& progress) {
+std::optional<Selection> selection_after_edit(const Document& document, const Selection& before, const Progress& progress) {
     std::optional<Selection> after = selection_of(document, {-1, before.path.back().address}, progress);
     for (std::size_t level = before.level; !after && level > 0; --level) {
-        if (!before.path[level].address.empty())
-            after = selection_of(document, {-1, before.path[level].address}, progress);
+        if (!before.path[level].address.empty()) after = selection_of(document, {-1, before.path[level].address}, progress);
     }
     if (!after) return std::nullopt;
     after->level = same_level(before, after->path);

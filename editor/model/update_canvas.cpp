@@ -48,7 +48,9 @@ void perform_one(Update& update, const PictureFailed& action) {
 }
 
 template <class Known>
-concept IsHere = requires(Update& update, const Known& known) { perform_one(update, known); };
+concept IsHere = requires(Update& update, const Known& known) {
+    perform_one(update, known);
+};
 
 }  // namespace
 

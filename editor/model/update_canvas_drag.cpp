@@ -69,9 +69,8 @@ void drag_on_canvas(Update& update, const EraseSelected&) {
     const EditorState& state = update.state;
     if (!state.canvas.selection || state.canvas.drag || state.preview) return;
     const Selection selection = *state.canvas.selection;
-    edit_grammar(update, "erase " + selected_module(selection).symbol, [&](const Grammar& grammar) {
-        return erase_instance(grammar, selection.path, selection.level);
-    });
+    edit_grammar(update, "erase " + selected_module(selection).symbol,
+                 [&](const Grammar& grammar) { return erase_instance(grammar, selection.path, selection.level); });
 }
 
 }  // namespace rinceau

@@ -1,15 +1,16 @@
 // What the mouse points at, here and in other panels, stands out.
 
-#include "editor/model/elements_at.h"
+#include "editor/model/hit_test.h"
 #include "editor/model/update_canvas.h"
 
 namespace rinceau {
 namespace {
 
+constexpr std::size_t most_hovered = 10'000;  ///< elements among which one is found in a few milliseconds
+
 void light_rule(Update& update) {
     const EditorState& state = update.state;
-    update.requests.push_back(
-        LightRule{state.picture_revision, shown_document(state), state.canvas.hovered_production});
+    update.requests.push_back(LightRule{state.picture_revision, shown_document(state), state.canvas.hovered_production});
 }
 
 void light_terminal(Update& update) {
@@ -27,9 +28,8 @@ void forget_hover(CanvasState& canvas) {
 
 void show_on_canvas(Update& update, const HoverCanvas& action) {
     EditorState& state = update.state;
-    if (!state.picture) return;
-    const std::vector<int> found = elements_at(*state.picture, action.at, action.reach, 1);
-    state.canvas.hovered_item = found.empty() ? -1 : found.front();
+    if (!state.picture || state.picture->items.size() > most_hovered) return;
+    state.canvas.hovered_item = HitIndex(state.picture).item_at(action.at, action.reach).value_or(-1);
 }
 
 void show_on_canvas(Update& update, const LeaveCanvas&) { update.state.canvas.hovered_item = -1; }

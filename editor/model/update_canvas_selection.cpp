@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/elements_at.h"
+#include "editor/model/hit_test.h"
 #include "editor/model/update_canvas.h"
 
 namespace rinceau {
@@ -14,9 +15,9 @@ void search(Update& update, int clicked, std::size_t level = deepest_level) {
     EditorState& state = update.state;
     if (!state.picture) return;
     const CanvasState& canvas = state.canvas;
-    update.requests.push_back(FindSelection{{state.picture_revision, shown_document(state), state.picture,
-                                             canvas.drag ? canvas.drag->before : canvas.selection, clicked, level,
-                                             !canvas.drag.has_value()}});
+    update.requests.push_back(
+        FindSelection{{state.picture_revision, shown_document(state), state.picture,
+                       canvas.drag ? canvas.drag->before : canvas.selection, clicked, level, !canvas.drag.has_value()}});
 }
 
 void select_level(Update& update, std::size_t level) {
@@ -25,23 +26,26 @@ void select_level(Update& update, std::size_t level) {
     search(update, -1);
 }
 
+/// Under the selected one; under all of them comes the uppermost again.
+std::optional<std::int32_t> element_below(const EditorState& state, const ClickCanvas& action) {
+    const std::vector<int> found = elements_at(*state.picture, action.at, action.reach, most_below);
+    if (found.empty()) return std::nullopt;
+    if (!state.canvas.selection) return found.front();
+    const auto last = std::ranges::find(found, selected_element(*state.canvas.selection));
+    return last == found.end() || last + 1 == found.end() ? found.front() : *(last + 1);
+}
+
 }  // namespace
 
 void select_on_canvas(Update& update, const ClickCanvas& action) {
     const EditorState& state = update.state;
     if (!state.picture || state.canvas.drag) return;
-    const std::vector<int> found = elements_at(*state.picture, action.at, action.reach, most_below);
-    if (found.empty()) {
+    const auto clicked = action.below ? element_below(state, action) : HitIndex(state.picture).item_at(action.at, action.reach);
+    if (clicked) {
+        search(update, *clicked);
+    } else {
         select_on_canvas(update, ClearSelection{});
-        return;
     }
-    auto clicked = found.begin();
-    if (action.below && state.canvas.selection) {
-        const auto last = std::ranges::find(found, selected_element(*state.canvas.selection));
-        if (last != found.end()) clicked = last + 1;
-        if (clicked == found.end()) clicked = found.begin();
-    }
-    search(update, *clicked);
 }
 
 void select_on_canvas(Update& update, const SelectLevel& action) {

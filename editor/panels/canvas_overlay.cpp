@@ -10,6 +10,7 @@ namespace {
 
 constexpr ImU32 selected_color = IM_COL32(0, 122, 255, 255);
 constexpr ImU32 selected_faint = IM_COL32(0, 122, 255, 90);
+constexpr ImU32 hovered_color = IM_COL32(0, 122, 255, 160);
 constexpr ImU32 handle_color = IM_COL32(255, 149, 0, 255);
 constexpr ImU32 held_color = IM_COL32(255, 59, 48, 255);
 constexpr ImU32 rim_color = IM_COL32(255, 255, 255, 255);
@@ -30,8 +31,16 @@ void draw_outlines(const EditorState& state, const CanvasPlace& place) {
     const Box box = boxes.box(module.first, module.last);
     if (is_empty(box)) return;
     constexpr float thickness = 2;
-    list->AddRect(to_window(place, {box.low.x, box.high.y}), to_window(place, {box.high.x, box.low.y}), selected_color, 0,
-                  0, thickness);
+    list->AddRect(to_window(place, {box.low.x, box.high.y}), to_window(place, {box.high.x, box.low.y}), selected_color, 0, 0,
+                  thickness);
+}
+
+void draw_hovered(const EditorState& state, const CanvasPlace& place) {
+    const PictureBoxes boxes(*state.picture);
+    if (is_empty(boxes.own_box(state.canvas.hovered_item))) return;
+    const auto corners = boxes.corners(state.canvas.hovered_item);
+    ImGui::GetWindowDrawList()->AddQuad(to_window(place, corners[0]), to_window(place, corners[1]),
+                                        to_window(place, corners[2]), to_window(place, corners[3]), hovered_color);
 }
 
 Point handle_place(const EditorState& state, const CanvasHandle& handle) {
@@ -79,6 +88,7 @@ int handle_at(const EditorState& state, const PanelTools& tools, const CanvasPla
 }
 
 void draw_canvas_overlay(const EditorState& state, const PanelTools& tools, const CanvasPlace& place) {
+    if (state.picture && state.canvas.hovered_item >= 0 && !state.canvas.drag) draw_hovered(state, place);
     if (!state.canvas.selection || !state.picture) return;
     draw_outlines(state, place);
     if (const auto& drag = state.canvas.drag) {

@@ -9,9 +9,9 @@ namespace rinceau {
 namespace {
 
 constexpr double zoom_a_notch = 1.15;
-constexpr float pan_a_notch = 40;    ///< pixels of a sideways wheel, at scale 1
-constexpr float click_reach = 3;     ///< pixels beside an element that still hit it, at scale 1
-constexpr float still_a_click = 4;   ///< pixels that the mouse may move in a click, at scale 1
+constexpr float pan_a_notch = 40;   ///< pixels of a sideways wheel, at scale 1
+constexpr float click_reach = 3;    ///< pixels beside an element that still hit it, at scale 1
+constexpr float still_a_click = 4;  ///< pixels that the mouse may move in a click, at scale 1
 
 bool is_down(ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); }
 
@@ -26,8 +26,8 @@ void zoom_and_pan(Actions& actions, const CanvasPlace& place, const PanelTools& 
 void pan_by_drag(Actions& actions) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left, is_down(ImGuiKey_Space) ? 0 : -1);
-    const bool pans = left || ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
-                      ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0);
+    const bool pans =
+        left || ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) || ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0);
     if (pans && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
         actions.push_back(CanvasAction{PanView{{io.MouseDelta.x, io.MouseDelta.y}}});
 }
