@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <cstdio>
 
 #include "editor/panels/analysis_parts.h"
 #include "geometry/angle.h"
@@ -13,7 +13,7 @@
 namespace rinceau {
 namespace {
 
-enum Column : int { color_column, from_column, to_column, step_column, pairs_column, importance_column, columns };
+enum Column : int { color_column, importance_column, pairs_column, from_column, to_column, step_column, columns };
 
 const TransformationCluster& step_of(const ClusterTable& table, const ClusterRow& row) {
     const ClusteredSpace& space = table.spaces[static_cast<std::size_t>(row.space)];
@@ -71,15 +71,14 @@ std::vector<std::size_t> sorted_rows(const ClusterTable& table, const RankedClus
 }
 
 void set_up_columns() {
-    ImGui::TableSetupScrollFreeze(0, 1);
-    constexpr ImGuiTableColumnFlags narrow = ImGuiTableColumnFlags_WidthFixed;
-    ImGui::TableSetupColumn("##colour", narrow | ImGuiTableColumnFlags_NoSort);
-    ImGui::TableSetupColumn("from", narrow);
-    ImGui::TableSetupColumn("to", narrow);
-    ImGui::TableSetupColumn("step", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("pairs", narrow | ImGuiTableColumnFlags_PreferSortDescending);
-    ImGui::TableSetupColumn("importance",
-                            narrow | ImGuiTableColumnFlags_DefaultSort | ImGuiTableColumnFlags_PreferSortDescending);
+    ImGui::TableSetupScrollFreeze(0, 1);  // the heading stays
+    constexpr ImGuiTableColumnFlags falling = ImGuiTableColumnFlags_PreferSortDescending;
+    ImGui::TableSetupColumn("##colour", ImGuiTableColumnFlags_NoSort);
+    ImGui::TableSetupColumn("importance", falling | ImGuiTableColumnFlags_DefaultSort);
+    ImGui::TableSetupColumn("pairs", falling);
+    ImGui::TableSetupColumn("from");
+    ImGui::TableSetupColumn("to");
+    ImGui::TableSetupColumn("step");
     ImGui::TableHeadersRow();
 }
 
@@ -108,22 +107,22 @@ bool show_row(const EditorState& state, const PanelTools& tools, int place, std:
     ImGui::TableNextColumn();
     color_cell(row.cluster);
     ImGui::TableNextColumn();
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.3f", importance);
     ImGui::PushID(number);
-    if (ImGui::Selectable(name_of(table, space_of(table, row).from).c_str(), state.clusters.kept == number,
-                          ImGuiSelectableFlags_SpanAllColumns))
+    if (ImGui::Selectable(text.data(), state.clusters.kept == number, ImGuiSelectableFlags_SpanAllColumns))
         actions.push_back(AnalysisAction{KeepCluster{number}});
     ImGui::PopID();
     note_place(tools, "analysis/cluster " + std::to_string(place + 1));
     const bool hovered = ImGui::IsItemHovered() || (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible);
     if (ImGui::IsItemHovered()) importance_tip(row, importance);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(name_of(table, space_of(table, row).to).c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(step_in_words(step_of(table, row)).c_str());
-    ImGui::TableNextColumn();
     ImGui::Text("%d", step_of(table, row).count);
-    ImGui::TableNextColumn();
-    ImGui::Text("%.3f", importance);
+    for (const std::string& words : {name_of(table, space_of(table, row).from), name_of(table, space_of(table, row).to),
+                                     step_in_words(step_of(table, row))}) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(words.c_str());
+    }
     return hovered;
 }
 
@@ -146,8 +145,9 @@ Actions clusters_table(const EditorState& state, const PanelTools& tools) {
         return actions;
     }
     if (!table.complete) ImGui::TextWrapped("Only the most frequent ones are shown: the drawing has more.");
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable |
-                                      ImGuiTableFlags_BordersOuter | ImGuiTableFlags_Sortable;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit |
+                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersOuter |
+                                      ImGuiTableFlags_Sortable;
     constexpr float rows_seen = 10;
     if (!ImGui::BeginTable("clusters", columns, flags, {0, rows_seen * ImGui::GetTextLineHeightWithSpacing()}))
         return actions;
