@@ -42,9 +42,9 @@ def panels(editor, folder):
     keep(editor, folder, 'preview')
     editor.keys('Escape')
     editor.click('tab/Rules')
-    editor.click('rules/view text')
+    editor.keys('ctrl+t')
     keep(editor, folder, 'text', 'panel/Rules')
-    editor.click('rules/view rules')
+    editor.keys('ctrl+t')
 
 
 def windows(editor, folder):

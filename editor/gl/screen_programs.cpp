@@ -123,7 +123,9 @@ void bind_source(const GlProgram& program, GLint unit, const char* sampler, cons
 }
 
 std::string composing_shader(bool compared) {
-    return std::string("#version 330 core\n#define compared ") + (compared ? "1" : "0") + std::string(compose_shader);
+    std::string source = compared ? "#version 330 core\n#define compared 1" : "#version 330 core\n#define compared 0";
+    source += compose_shader;
+    return source;
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class Editor:
         self.environment.pop('WAYLAND_DISPLAY', None)
         self.errors = open(self.home / 'errors.txt', 'w')
         self.process = subprocess.Popen(
-            [str(program), '--places', str(self.trace), '--size', f'{size[0]}x{size[1]}', *map(str, arguments)],
+            [str(pathlib.Path(program).resolve()), '--places', str(self.trace), '--size', f'{size[0]}x{size[1]}', *map(str, arguments)],
             env=self.environment, stderr=self.errors, cwd=self.home)
 
     def __enter__(self):
