@@ -68,10 +68,10 @@ Proof proof_of(const Drawing& drawing, const Description& description, const Ove
 }
 
 /// Does it look the same though pairs are exchanged whose order hardly shows?
-bool looks_the_same(const Drawing& drawing, const Proof& proof, int threads) {
+bool looks_the_same(const Drawing& drawing, const Proof& proof, int threads, const Progress& progress) {
     const std::vector<OverlapPair>& exchanged = proof.check.exchanged_faint;
     if (exchanged.empty()) return true;
-    return same_picture(drawing.scene, to_scene(proof.grammar, interpret(proof.grammar)), exchanged, threads);
+    return same_picture(drawing.scene, to_scene(proof.grammar, interpret(proof.grammar)), exchanged, threads, progress);
 }
 
 }  // namespace
@@ -128,10 +128,12 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
         if (last) descriptions.push_back(flat_description(drawings.front()));
         const Description& description = descriptions[tried];
         Proof proof = proof_of(drawings.front(), description, overlaps, options, progress);
-        if (proof.check.passed && !looks_the_same(drawings.front(), proof, options.threads)) {
+        report(progress, "check", 1);
+        if (proof.check.passed && !looks_the_same(drawings.front(), proof, options.threads, progress)) {
             // What hardly shows once shows when it comes by the hundred: these orders are kept as well.
             proof = proof_of(drawings.front(), description, with_faint_pairs(overlaps), options, progress);
         }
+        report(progress, "check", 1);
         const DescriptionBits bits = bits_of(description, proof.layered);
         report_out.check = std::move(proof.check);
         analysis.grammar = std::move(proof.grammar);

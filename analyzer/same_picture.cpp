@@ -14,10 +14,11 @@ namespace {
 constexpr int picture_width = 900;  // pixels
 constexpr double allowed = 0.002;   // of the inked pixels
 
-double difference(const std::array<const Scene*, 2>& scenes, int threads) {
+double difference(const std::array<const Scene*, 2>& scenes, int threads, const Progress& progress) {
     std::array<Picture, 2> pictures;
-    for_each_index(scenes.size(), threads,
-                   [&](std::size_t k) { pictures[k] = svg_to_picture(write_svg(*scenes[k]), picture_width); });
+    for_each_index(scenes.size(), threads, "check", progress, [&](std::size_t k, const Progress&) {
+        pictures[k] = svg_to_picture(write_svg(*scenes[k]), picture_width);
+    });
     return picture_difference(pictures[0], pictures[1]);
 }
 
@@ -48,14 +49,15 @@ Scene painted_there(const Scene& scene, const BoxTree& places) {
 
 }  // namespace
 
-bool same_picture(const Scene& scene, const Scene& drawn, const std::vector<OverlapPair>& exchanged, int threads) {
+bool same_picture(const Scene& scene, const Scene& drawn, const std::vector<OverlapPair>& exchanged, int threads,
+                  const Progress& progress) {
     // What is painted elsewhere is the same in both, and can only make the share of different pixels smaller.
     const std::vector<Box> places = places_of(scene, exchanged);
     const BoxTree tree(places);
     const Scene scene_there = painted_there(scene, tree), drawn_there = painted_there(drawn, tree);
-    if (difference({&scene_there, &drawn_there}, threads) <= allowed) return true;
+    if (difference({&scene_there, &drawn_there}, threads, progress) <= allowed) return true;
     const bool everything = scene_there.elements.size() == scene.elements.size();
-    return !everything && difference({&scene, &drawn}, threads) <= allowed;
+    return !everything && difference({&scene, &drawn}, threads, progress) <= allowed;
 }
 
 }  // namespace rinceau

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analyzer/overlaps.h"
+#include "geometry/progress.h"
 #include "scene/element.h"
 
 namespace rinceau {
@@ -11,6 +12,7 @@ namespace rinceau {
 /// For scenes of the same elements, but for the paint order of some pairs: those of `scene` in `exchanged`. Painted 900
 /// pixels wide, at most 0.2 % of the inked pixels differ, by more than an eighth of the range, from every pixel next to
 /// them. `threads`: 0 = one per processor.
-bool same_picture(const Scene& scene, const Scene& drawn, const std::vector<OverlapPair>& exchanged, int threads = 0);
+bool same_picture(const Scene& scene, const Scene& drawn, const std::vector<OverlapPair>& exchanged, int threads = 0,
+                  const Progress& progress = {});
 
 }  // namespace rinceau
