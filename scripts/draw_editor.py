@@ -4,7 +4,9 @@
 usage: scripts/draw_editor.py RINCEAU-EDITOR [FOLDER]      (FOLDER: docs/images/editor)
 """
 import pathlib
+import shutil
 import sys
+import tempfile
 
 from PIL import Image
 
@@ -63,9 +65,13 @@ def windows(editor, folder):
 def main(program, folder=root / 'docs' / 'images' / 'editor'):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    art = root / 'samples' / 'facade.svg'
+    home = pathlib.Path(tempfile.gettempdir()) / 'editor'  # is seen in the window that asks for a file
+    shutil.rmtree(home, ignore_errors=True)
+    (home / 'art').mkdir(parents=True)
+    art = home / 'art' / 'facade.svg'
+    shutil.copy(root / 'samples' / 'facade.svg', art)
     with Display() as display:
-        with Editor(display, program, art) as editor:
+        with Editor(display, program, art, home=home) as editor:
             keep(editor, folder, 'window')
             panels(editor, folder)
             windows(editor, folder)
@@ -75,6 +81,7 @@ def main(program, folder=root / 'docs' / 'images' / 'editor'):
             keep(editor, folder, 'large')
         with Editor(display, program) as editor:
             keep(editor, folder, 'empty')
+    shutil.rmtree(home)
 
 
 if __name__ == '__main__':
