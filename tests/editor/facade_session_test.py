@@ -168,7 +168,7 @@ def main(program, editor_program, source, pictures=None):
             change_by_hand(session)
             replace_and_export(session)
             editor.keys('ctrl+q')
-            editor.click('ask/Discard')
+            editor.click('ask/Discard', settle=False)
             assert editor.leave() == 0, editor.said()
     print('the session went as a person would expect')
 

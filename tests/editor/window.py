@@ -157,11 +157,12 @@ class Editor:
         x, y = self.point(where)
         self.seen('mousemove', round(x), round(y))
 
-    def click(self, where, button=1):
+    def click(self, where, button=1, settle=True):
         self.move(where)
         self.seen('mousedown', button)
         self.seen('mouseup', button)
-        self.settle()
+        if settle:
+            self.settle()
 
     def double_click(self, where):
         self.move(where)
