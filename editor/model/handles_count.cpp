@@ -91,6 +91,14 @@ const GrammarNumber* number_of_count(const std::vector<GrammarNumber>& numbers, 
     return best;
 }
 
+/// The constant itself, for a count that is written as one.
+const GrammarNumber& by_its_own_name(const HandleContext& context, const GrammarNumber& number) {
+    if (number.constant < 0) return number;
+    const std::string& name = context.document.grammar->constants[static_cast<std::size_t>(number.constant)].name;
+    const auto found = std::ranges::find(context.numbers, name, &GrammarNumber::name);
+    return found == context.numbers.end() ? number : *found;
+}
+
 }  // namespace
 
 void add_count_handles(const HandleContext& context, std::vector<CanvasHandle>& handles) {
@@ -107,7 +115,7 @@ void add_count_handles(const HandleContext& context, std::vector<CanvasHandle>& 
         CanvasHandle handle;
         handle.kind = HandleKind::count;
         handle.level = level;
-        handle.numbers = {*number};
+        handle.numbers = {by_its_own_name(context, *number)};
         const GrammarNumber* own = number_of_count(context.numbers, module, true);
         if (own != nullptr && own->slots.size() < number->slots.size()) handle.own_number = own->name;
         handle.track = track_of(module, *step, center(box));

@@ -74,7 +74,9 @@ Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
     const bool hovered = ImGui::IsItemHovered();
     if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false))
         actions.push_back(CanvasAction{StepSelection{1}});
+    ImGui::PushClipRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), true);
     draw_canvas_overlay(state, tools, place);
+    ImGui::PopClipRect();
     if (state.canvas.drag) {
         drag_handle(actions, state, place);
         return actions;
