@@ -1,0 +1,43 @@
+#pragma once
+// Lines that growth does not cross and the region that it stays in (Ijiri et al. 2008, section 3: boundary tool).
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/box_tree.h"
+#include "growth/strokes.h"
+
+namespace rinceau {
+
+/// Boundary lines and a region, ready for queries. An empty one allows everything.
+class Boundary {
+  public:
+    Boundary() = default;
+    /// Outlines of the region are boundary lines, too.
+    explicit Boundary(std::vector<Polyline> lines, std::optional<Region> region = {});
+
+    bool is_empty() const { return segments_.empty(); }
+    /// Inside the region, or there is none.
+    bool allows(Point p) const;
+    /// Does a line stand between the two points, or on one of them?
+    bool crosses(Point a, Point b) const;
+    /// Does a line cross or touch the region's outline, or, with a region, does any of it lie outside?
+    bool cuts(const Region& outline, const Similarity& pose) const;
+    /// Where the nearest line is at most `within` away.
+    std::optional<Point> nearest(Point p, double within) const;
+    const std::vector<Polyline>& lines() const { return lines_; }
+    const std::optional<Region>& region() const { return region_; }
+
+  private:
+    struct BoundarySegment {
+        Point a, b;
+    };
+    std::vector<Polyline> lines_;
+    std::optional<Region> region_;
+    std::vector<BoundarySegment> segments_;
+    BoxTree tree_;
+};
+
+}  // namespace rinceau
