@@ -48,15 +48,21 @@ struct ChosenConnectivity {
     bool irregular = true;
 };
 
+/// A pattern is regular if either measure of ties makes its rings alike.
 ChosenConnectivity chosen_connectivity(std::span<const Point> positions, const ExemplarOptions& options) {
-    constexpr double nearly_all = 0.9;
-    const auto with_tie = [&](double tie) {
-        return connectivity_of(positions, {.tie = tie, .max_angle = options.max_angle});
-    };
-    Connectivity regular = with_tie(options.tie > 0 ? options.tie : regular_tie);
-    const bool irregular = alike_rings(positions, regular) < nearly_all;
-    if (options.tie > 0 || !irregular) return {std::move(regular), irregular};
-    return {with_tie(irregular_tie), true};
+    constexpr double regular = 0.6;  // share of like rings: lattices have 0.9 and more, scattered points 0
+    ChosenConnectivity chosen;
+    double best = -1;
+    const std::vector<double> ties = options.tie > 0 ? std::vector{options.tie} : std::vector{regular_tie, irregular_tie};
+    for (const double tie : ties) {
+        Connectivity connectivity = connectivity_of(positions, {.tie = tie, .max_angle = options.max_angle});
+        const double alike = alike_rings(positions, connectivity);
+        if (alike > best || best < regular) chosen.connectivity = std::move(connectivity);
+        best = std::max(best, alike);
+        if (alike >= 1) break;
+    }
+    chosen.irregular = best < regular;
+    return chosen;
 }
 
 std::string edge_name(std::pair<int, int> edge) { return std::to_string(edge.first) + "-" + std::to_string(edge.second); }

@@ -31,9 +31,12 @@ double difference(const std::vector<Point>& a, const std::vector<Point>& b) {
 double alike_rings(std::span<const Point> points, const Connectivity& connectivity) {
     constexpr double alike = 0.25;               // of the spacing
     constexpr std::size_t most_compared = 1000;  // points; more tell nothing new
+    constexpr std::ptrdiff_t few = 5;
+    const std::vector<bool>& whole =
+        std::ranges::count(connectivity.deep, true) < few ? connectivity.inner : connectivity.deep;
     std::vector<std::vector<Point>> rings;
     for (std::size_t p = 0; p < points.size() && rings.size() < most_compared; ++p)
-        if (connectivity.inner[p]) rings.push_back(offsets_of(points, connectivity, p));
+        if (whole[p]) rings.push_back(offsets_of(points, connectivity, p));
     if (rings.empty()) return 0;
     const double limit = alike * alike * connectivity.spacing * connectivity.spacing;
     const std::size_t wanted = std::max<std::size_t>(3, rings.size() / 5);
