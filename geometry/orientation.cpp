@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace rinceau {
 namespace {
@@ -45,6 +44,18 @@ class ExactSum {
     std::size_t count_ = 0;
 };
 
+/// Of a point on the segment's line.
+bool within_box(Point p, Point a, Point b) {
+    return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+}
+
+bool boxes_apart(Point a, Point b, Point c, Point d) {
+    return std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+           std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y);
+}
+
+}  // namespace
+
 int exact_orientation(Point a, Point b, Point c) {
     ExactSum determinant;
     determinant.add_product(a.x, b.y);
@@ -56,38 +67,15 @@ int exact_orientation(Point a, Point b, Point c) {
     return determinant.sign();
 }
 
-/// Of a point on the segment's line.
-bool within_box(Point p, Point a, Point b) {
-    return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-}
-
-bool boxes_apart(Point a1, Point a2, Point b1, Point b2) {
-    return std::max(a1.x, a2.x) < std::min(b1.x, b2.x) || std::max(b1.x, b2.x) < std::min(a1.x, a2.x) ||
-           std::max(a1.y, a2.y) < std::min(b1.y, b2.y) || std::max(b1.y, b2.y) < std::min(a1.y, a2.y);
-}
-
-}  // namespace
-
-int orientation(Point a, Point b, Point c) {
-    const double left = (a.x - c.x) * (b.y - c.y);
-    const double right = (a.y - c.y) * (b.x - c.x);
-    const double determinant = left - right;
-    // The bound "ccwerrboundA" of the paper's section 4.3, for half a unit in the last place.
-    constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
-    constexpr double bound = (3 + 16 * half_ulp) * half_ulp;
-    if (std::abs(determinant) > bound * (std::abs(left) + std::abs(right))) return determinant > 0 ? 1 : -1;
-    return exact_orientation(a, b, c);
-}
-
-SegmentContact segment_contact(Point a1, Point a2, Point b1, Point b2) {
-    if (boxes_apart(a1, a2, b1, b2)) return SegmentContact::apart;
-    const int from_a = orientation(a1, a2, b1) * orientation(a1, a2, b2);
-    if (from_a > 0) return SegmentContact::apart;
-    const int from_b = orientation(b1, b2, a1) * orientation(b1, b2, a2);
-    if (from_b > 0) return SegmentContact::apart;
-    if (from_a < 0 && from_b < 0) return SegmentContact::crossed;
-    const auto on = [](Point p, Point a, Point b) { return orientation(a, b, p) == 0 && within_box(p, a, b); };
-    const bool touch = on(b1, a1, a2) || on(b2, a1, a2) || on(a1, b1, b2) || on(a2, b1, b2);
+SegmentContact segment_contact(Point a, Point b, Point c, Point d) {
+    if (boxes_apart(a, b, c, d)) return SegmentContact::apart;
+    const int of_second = orientation(a, b, c) * orientation(a, b, d);
+    if (of_second > 0) return SegmentContact::apart;
+    const int of_first = orientation(c, d, a) * orientation(c, d, b);
+    if (of_first > 0) return SegmentContact::apart;
+    if (of_second < 0 && of_first < 0) return SegmentContact::crossed;
+    const auto on = [](Point p, Point from, Point to) { return orientation(from, to, p) == 0 && within_box(p, from, to); };
+    const bool touch = on(c, a, b) || on(d, a, b) || on(a, c, d) || on(b, c, d);
     return touch ? SegmentContact::touching : SegmentContact::apart;
 }
 

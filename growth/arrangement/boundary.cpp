@@ -17,12 +17,6 @@ bool inside(const Region& region, Point p) {
     return odd;
 }
 
-/// Does the ray from p to the right pass the edge? Half-open in y, so that a corner on the ray counts once.
-bool ray_passes(Point a, Point b, Point p) {
-    if ((a.y <= p.y) == (b.y <= p.y)) return false;
-    return orientation(a, b, p) == (a.y <= p.y ? 1 : -1);
-}
-
 Point nearest_of_segment(Point p, Point a, Point b) {
     const Point along = b - a;
     const double squared = norm(along);
@@ -57,7 +51,7 @@ bool Boundary::allows(Point p) const {
     bool odd = false;
     const Box ray{p, {std::numeric_limits<double>::infinity(), p.y}};
     tree_.visit(ray, [&](std::size_t i) {
-        if (i >= first) odd ^= ray_passes(segments_[i].a, segments_[i].b, p);
+        if (i >= first) odd ^= crosses_ray(segments_[i].a, segments_[i].b, p);
         return true;
     });
     return odd;
