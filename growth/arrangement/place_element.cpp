@@ -59,22 +59,6 @@ void claim_place(ElementArrangement& arrangement, const GrowthGround& ground, in
     if (place >= 0) fill_place(arrangement, ground, element, other, place);
 }
 
-// Where the matched elements want the new one. Seeds have no say: they are where elements wanted them.
-Point recentered(const ElementArrangement& arrangement, const GrowthGround& ground, Point from, const TargetRing& ring,
-                 const ReferenceMatch& match) {
-    Point sum;
-    int count = 0;
-    for (std::size_t i = 0; i < ring.inner.size(); ++i) {
-        const ArrangementNode& neighbor = arrangement.nodes[static_cast<std::size_t>(ring.inner[i].node)];
-        if (match.places[i] < 0 || neighbor.reference < 0) continue;
-        sum += neighbor.position - ring_target(ground, match.reference, match.places[i], match.angle, from);
-        ++count;
-    }
-    if (count == 0) return from;
-    const Point to = (1.0 / count) * sum;
-    return abs(to - from) < 0.5 * ground.exemplar.shortest_edge && !is_barred(ground, from, to) ? to : from;
-}
-
 int new_seed(ElementArrangement& arrangement, Point at, int symbol, std::array<int, 2> lattice) {
     const int seed = add_seed(arrangement, at, symbol);
     node_of(arrangement, seed).lattice = lattice;
@@ -247,10 +231,27 @@ std::vector<int> complete_ring(ElementArrangement& arrangement, const GrowthGrou
     return seeds;
 }
 
+// Seeds have no say: they are where elements wanted them.
+Point fitted_position(const ElementArrangement& arrangement, const GrowthGround& ground, int seed, const TargetRing& ring,
+                      const ReferenceMatch& match) {
+    const Point from = arrangement.nodes[static_cast<std::size_t>(seed)].position;
+    if (arrangement.nodes[static_cast<std::size_t>(seed)].held) return from;
+    Point sum;
+    int count = 0;
+    for (std::size_t i = 0; i < ring.inner.size(); ++i) {
+        const ArrangementNode& neighbor = arrangement.nodes[static_cast<std::size_t>(ring.inner[i].node)];
+        if (match.places[i] < 0 || neighbor.reference < 0) continue;
+        sum += neighbor.position - ring_target(ground, match.reference, match.places[i], match.angle, from);
+        ++count;
+    }
+    if (count == 0) return from;
+    const Point to = (1.0 / count) * sum;
+    return abs(to - from) < 0.5 * ground.exemplar.shortest_edge && !is_barred(ground, from, to) ? to : from;
+}
+
 std::vector<int> place_element(ElementArrangement& arrangement, const GrowthGround& ground, int seed, const TargetRing& ring,
-                               const ReferenceMatch& match) {
-    const Point at = recentered(arrangement, ground, node_of(arrangement, seed).position, ring, match);
-    if (!node_of(arrangement, seed).held) move_node(arrangement, seed, at);
+                               const ReferenceMatch& match, Point at) {
+    move_node(arrangement, seed, at);
     ArrangementNode& node = node_of(arrangement, seed);
     node.reference = match.reference;
     node.symbol = ground.exemplar.elements[static_cast<std::size_t>(match.reference)].symbol;
