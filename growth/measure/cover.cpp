@@ -29,7 +29,8 @@ struct SceneGrid {
             ClipperLib::Path& path = result.emplace_back();
             for (const Point p : ring) {
                 const Point q = scale * (p - origin);
-                path.emplace_back(static_cast<ClipperLib::cInt>(std::llround(q.x)), static_cast<ClipperLib::cInt>(std::llround(q.y)));
+                path.emplace_back(static_cast<ClipperLib::cInt>(std::llround(q.x)),
+                                  static_cast<ClipperLib::cInt>(std::llround(q.y)));
             }
         }
         // Even-odd becomes outer rings one way, holes the other, so that regions can be united by winding numbers.
@@ -78,7 +79,7 @@ Copies all_copies(const std::vector<Region>& regions, const PackDomain& domain) 
         const Point low = tile_of(box.low), high = tile_of(box.high);
         for (double row = low.y; row <= high.y; ++row)
             for (double column = low.x; column <= high.x; ++column)
-                all.regions.push_back(apply(translate({-column * size.x, -row * size.y}), region));
+                all.regions.push_back(placed_region(region, translate({-column * size.x, -row * size.y})));
     }
     return all;
 }

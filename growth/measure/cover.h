@@ -9,10 +9,10 @@ namespace rinceau {
 
 /// Scene areas, of outlines on a grid of 1e-9 of the domain.
 struct Cover {
-    double domain = 0;   ///< area of the domain
-    double sum = 0;      ///< of the regions' areas
-    double united = 0;   ///< area of their union; equals the sum if no two overlap
-    double within = 0;   ///< of that, inside the domain
+    double domain = 0;  ///< area of the domain
+    double sum = 0;     ///< of the regions' areas
+    double united = 0;  ///< area of their union; equals the sum if no two overlap
+    double within = 0;  ///< of that, inside the domain
 };
 
 /// On a tile, what leaves it comes in on the other side: all is within.

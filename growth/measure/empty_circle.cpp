@@ -1,5 +1,5 @@
-// Of points: every largest empty circle is the circle about a Delaunay triangle. Of regions: the deepest cells of a raster, then
-// moved uphill with exact distances from outlines.
+// Of points: every largest empty circle is the circle about a Delaunay triangle. Of regions: the deepest cells of a raster,
+// then moved uphill with exact distances from outlines.
 
 #include "growth/measure/empty_circle.h"
 
@@ -79,20 +79,20 @@ EmptyCircle risen(EmptyCircle circle, const OutlineDistance& distance, double st
     return circle;
 }
 
-Region box_region(const Box& box) {
-    return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}};
-}
+Region box_region(const Box& box) { return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}}; }
 
 /// Regions that reach over the edge of a tile or stand near it, moved by whole tiles into the ground that is looked at.
 std::vector<Region> with_copies(const std::vector<Region>& regions, const Box& tile, const Box& ground) {
     std::vector<Region> all;
-    for (const Region& region : regions)
+    for (const Region& region : regions) {
+        const Box box = bounds(region);
         for (int row = -2; row <= 2; ++row)
             for (int column = -2; column <= 2; ++column) {
-                const Similarity step = translate({column * width(tile), row * height(tile)});
-                if (overlap(grown(including(including(Box{}, apply(step, bounds(region).low)), apply(step, bounds(region).high)), 0), ground))
-                    all.push_back(apply(step, region));
+                const Point step{column * width(tile), row * height(tile)};
+                if (overlap({box.low + step, box.high + step}, ground))
+                    all.push_back(placed_region(region, translate(step)));
             }
+    }
     return all;
 }
 
@@ -129,9 +129,8 @@ EmptyCircle largest_gap(const std::vector<Region>& regions, const PackDomain& do
     for (std::size_t cell = 0; cell < depth.size(); ++cell)
         if (depth[cell] > 0 && overlap(domain.box, including(Box{}, cell_center(free, cell)))) cells.push_back(cell);
     const std::size_t tried = std::min(tried_cells, cells.size());
-    std::partial_sort(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(tried), cells.end(), [&](std::size_t a, std::size_t b) {
-        return depth[a] != depth[b] ? depth[a] > depth[b] : a < b;
-    });
+    std::partial_sort(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(tried), cells.end(),
+                      [&](std::size_t a, std::size_t b) { return depth[a] != depth[b] ? depth[a] > depth[b] : a < b; });
     std::vector<Region> outlines = obstacles;
     if (!domain.tiled) outlines.push_back(border);
     const OutlineDistance distance(outlines);

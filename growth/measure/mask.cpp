@@ -114,7 +114,8 @@ std::vector<double> depths(const Mask& mask) {
     return result;
 }
 
-SelfOverlap self_overlap(std::span<const double> values, int columns, int rows, int column_steps, int row_steps, bool wrapped) {
+SelfOverlap self_overlap(std::span<const double> values, int columns, int rows, int column_steps, int row_steps,
+                         bool wrapped) {
     const int wide = wrapped ? columns : fast_length(columns + column_steps);
     const int high = wrapped ? rows : fast_length(rows + row_steps);
     const auto cell = [wide, high](int column, int row) {

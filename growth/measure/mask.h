@@ -37,8 +37,8 @@ std::vector<double> depths(const Mask& mask);
 
 /// How much of a mask its copy covers that is moved by some cells.
 struct SelfOverlap {
-    int columns = 0, rows = 0;    ///< steps reach from -columns to columns, -rows to rows
-    std::vector<double> shared;   ///< in cells, row by row from the lowest step
+    int columns = 0, rows = 0;   ///< steps reach from -columns to columns, -rows to rows
+    std::vector<double> shared;  ///< in cells, row by row from the lowest step
 
     double at(int column, int row) const {
         return shared[static_cast<std::size_t>(row + rows) * static_cast<std::size_t>(2 * columns + 1) +
@@ -48,6 +48,7 @@ struct SelfOverlap {
 
 /// For all steps up to the given ones. `wrapped`: what is moved out at one side comes in at the other; values are those of
 /// a mask of real numbers. Precondition: values.size() == columns * rows; when wrapped, the steps are less than the mask.
-SelfOverlap self_overlap(std::span<const double> values, int columns, int rows, int column_steps, int row_steps, bool wrapped);
+SelfOverlap self_overlap(std::span<const double> values, int columns, int rows, int column_steps, int row_steps,
+                         bool wrapped);
 
 }  // namespace rinceau

@@ -52,7 +52,7 @@ AggregateMeasures measure_aggregate(const std::vector<ExclusiveRegion>& regions,
     for (const PlacedRegion& one : placed) {
         const ExclusiveRegion& region = regions[static_cast<std::size_t>(one.shape)];
         measures.counts[static_cast<std::size_t>(one.shape)] += 1;
-        outlines.push_back(apply(one.pose, region.rings));
+        outlines.push_back(placed_region(region.rings, one.pose));
         radius = std::max(radius, scale_of(one.pose) * region.radius);
     }
     measures.overlaps = count_overlaps(outlines, domain);

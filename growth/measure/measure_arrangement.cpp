@@ -20,8 +20,8 @@ constexpr double repeat_reach = 2.6;
 /// How far within what is covered an empty circle counts: nearer to the rim it may be a bay.
 constexpr double circle_depth = 1;
 
-constexpr double near_enough = 0.97;        ///< of the least distance
-constexpr double visible_overlap = 1e-3;    ///< of the smaller outline's area
+constexpr double near_enough = 0.97;      ///< of the least distance
+constexpr double visible_overlap = 1e-3;  ///< of the smaller outline's area
 constexpr double large_share = 0.15;
 
 struct ArrangementPatterns {
@@ -42,7 +42,8 @@ PointPattern exemplar_pattern(const Exemplar& exemplar) {
     return pattern_of(std::move(positions), std::move(symbols), exemplar.mean_edge);
 }
 
-PointPattern grown_pattern(const Exemplar& exemplar, const std::vector<ArrangedElement>& elements, const Boundary* boundary) {
+PointPattern grown_pattern(const Exemplar& exemplar, const std::vector<ArrangedElement>& elements,
+                           const Boundary* boundary) {
     std::vector<Point> positions;
     std::vector<int> symbols;
     for (const ArrangedElement& element : elements) {
@@ -79,12 +80,15 @@ void measure_outlines(ArrangementMeasures& measures, const Exemplar& exemplar, c
         outlines.push_back({&reference_of(exemplar, element).outline, translate(element.position) * rotate(element.angle)});
     measures.overlaps = overlapping_pairs(outlines, visible_overlap).size();
     if (boundary == nullptr || boundary->is_empty()) return;
-    measures.over_boundary = static_cast<std::size_t>(std::count_if(
-        outlines.begin(), outlines.end(), [&](const PlacedOutline& placed) { return boundary->cuts(*placed.outline, placed.pose); }));
+    measures.over_boundary =
+        static_cast<std::size_t>(std::count_if(outlines.begin(), outlines.end(), [&](const PlacedOutline& placed) {
+            return boundary->cuts(*placed.outline, placed.pose);
+        }));
 }
 
 /// Distances between centres against the exemplar's least ones.
-void measure_distances(ArrangementMeasures& measures, const Exemplar& exemplar, const PointPattern& grown, const KdTree& tree) {
+void measure_distances(ArrangementMeasures& measures, const Exemplar& exemplar, const PointPattern& grown,
+                       const KdTree& tree) {
     double reach = 0;
     for (const auto& row : exemplar.min_distance)
         for (const double least : row)
@@ -93,7 +97,8 @@ void measure_distances(ArrangementMeasures& measures, const Exemplar& exemplar, 
     for (std::size_t i = 0; i < grown.positions.size(); ++i)
         for (const Neighbor& near : tree.within(grown.positions[i], 1.5 * reach)) {
             if (near.index <= i) continue;
-            const auto a = static_cast<std::size_t>(grown.symbols[i]), b = static_cast<std::size_t>(grown.symbols[near.index]);
+            const auto a = static_cast<std::size_t>(grown.symbols[i]),
+                       b = static_cast<std::size_t>(grown.symbols[near.index]);
             const double ratio = near.distance / exemplar.min_distance[a][b];
             if (ratio < near_enough) ++measures.too_near;
             if (ratio > 0 || near.distance == 0) measures.least_distance = std::min(measures.least_distance, ratio);
@@ -124,7 +129,8 @@ void measure_repeats(ArrangementMeasures& measures, const Exemplar& exemplar, co
         for (const Neighbor& near : tree.within(elements[i].position, repeat_reach * exemplar.mean_edge)) {
             if (near.index <= i) continue;
             pairs += 1;
-            same += reference_of(exemplar, elements[i]).sub_id == reference_of(exemplar, elements[near.index]).sub_id ? 1 : 0;
+            same +=
+                reference_of(exemplar, elements[i]).sub_id == reference_of(exemplar, elements[near.index]).sub_id ? 1 : 0;
         }
     measures.repeats = pairs > 0 ? same / pairs : measures.chance;
 }

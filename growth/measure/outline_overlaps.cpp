@@ -24,7 +24,8 @@ std::vector<OutlineEdge> edges_in(const Region& region, const Box& box) {
             const Box around = including(including(Box{}, a), b);
             if (overlap(around, box)) edges.push_back({a, b, around});
         }
-    std::sort(edges.begin(), edges.end(), [](const OutlineEdge& e, const OutlineEdge& f) { return e.box.low.x < f.box.low.x; });
+    std::sort(edges.begin(), edges.end(),
+              [](const OutlineEdge& e, const OutlineEdge& f) { return e.box.low.x < f.box.low.x; });
     return edges;
 }
 
@@ -57,7 +58,8 @@ bool inside(const Region& region, Point p) {
 }
 
 bool any_ring_inside(const Region& inner, const Region& outer) {
-    return std::any_of(inner.begin(), inner.end(), [&](const auto& ring) { return !ring.empty() && inside(outer, ring.front()); });
+    return std::any_of(inner.begin(), inner.end(),
+                       [&](const auto& ring) { return !ring.empty() && inside(outer, ring.front()); });
 }
 
 bool share_area(const Region& a, const Region& b, double share) {
@@ -78,7 +80,7 @@ Box bounds(const PlacedOutline& placed) {
 
 }  // namespace
 
-Region apply(const Similarity& pose, const Region& region) {
+Region placed_region(const Region& region, const Similarity& pose) {
     Region moved = region;
     for (auto& ring : moved)
         for (Point& p : ring) p = apply(pose, p);
@@ -95,8 +97,8 @@ std::vector<std::pair<int, int>> overlapping_pairs(std::span<const PlacedOutline
         Region outline;
         tree.visit(boxes[i], [&](std::size_t j) {
             if (j <= i) return true;
-            if (outline.empty()) outline = apply(outlines[i].pose, *outlines[i].outline);
-            if (share_area(outline, apply(outlines[j].pose, *outlines[j].outline), share))
+            if (outline.empty()) outline = placed_region(*outlines[i].outline, outlines[i].pose);
+            if (share_area(outline, placed_region(*outlines[j].outline, outlines[j].pose), share))
                 pairs.emplace_back(static_cast<int>(i), static_cast<int>(j));
             return true;
         });

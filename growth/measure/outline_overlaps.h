@@ -15,7 +15,7 @@ struct PlacedOutline {
     Similarity pose;  ///< outline -> scene
 };
 
-Region apply(const Similarity& pose, const Region& region);
+Region placed_region(const Region& region, const Similarity& pose);
 
 /// Pairs of indices, lower first, sorted, of outlines that share more than `share` of the smaller one's area.
 std::vector<std::pair<int, int>> overlapping_pairs(std::span<const PlacedOutline> outlines, double share);

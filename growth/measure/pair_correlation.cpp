@@ -1,5 +1,5 @@
-// g_ab(r) = 1 / (2 pi r lambda_a lambda_b) * sum over i of kind a, j of kind b of k(r - |x_i - x_j|) / gamma(x_i - x_j), where
-// gamma(v) is the area of the window that its copy moved by v covers.
+// g_ab(r) = 1 / (2 pi r lambda_a lambda_b) * sum over i of kind a, j of kind b of k(r - |x_i - x_j|) / gamma(x_i - x_j),
+// where gamma(v) is the area of the window that its copy moved by v covers.
 
 #include "growth/measure/pair_correlation.h"
 
@@ -20,7 +20,8 @@ constexpr double least_overlap = 0.02;
 /// The area of the window that its moved copy covers.
 class WindowOverlap {
   public:
-    WindowOverlap(const PointPattern& pattern, double longest) : tiled_(pattern.tile), whole_(area(pattern)), cell_(pattern.window.cell) {
+    WindowOverlap(const PointPattern& pattern, double longest)
+        : tiled_(pattern.tile), whole_(area(pattern)), cell_(pattern.window.cell) {
         if (tiled_) return;
         const std::vector<double> values(pattern.window.inside.begin(), pattern.window.inside.end());
         const int steps = static_cast<int>(std::ceil(longest / cell_)) + 1;
@@ -30,7 +31,8 @@ class WindowOverlap {
     double at(Point step) const {
         if (tiled_) return whole_;
         const double shared =
-            cell_ * cell_ * overlap_.at(static_cast<int>(std::lround(step.x / cell_)), static_cast<int>(std::lround(step.y / cell_)));
+            cell_ * cell_ *
+            overlap_.at(static_cast<int>(std::lround(step.x / cell_)), static_cast<int>(std::lround(step.y / cell_)));
         return shared < least_overlap * whole_ ? 0 : shared;
     }
 
@@ -135,7 +137,8 @@ std::vector<double> correlation_radii(const PointPattern& reference, double spac
 double pair_distance(const PointPattern& pattern, const PointPattern& reference, int symbols, double spacing) {
     const std::vector<double> radii = correlation_radii(reference, spacing);
     const double bandwidth = kernel_half_width * spacing;
-    return distance(pair_correlation(pattern, symbols, radii, bandwidth), pair_correlation(reference, symbols, radii, bandwidth));
+    return distance(pair_correlation(pattern, symbols, radii, bandwidth),
+                    pair_correlation(reference, symbols, radii, bandwidth));
 }
 
 double pair_spread(const PointPattern& pattern, int symbols, double spacing) {
@@ -144,7 +147,8 @@ double pair_spread(const PointPattern& pattern, int symbols, double spacing) {
     double sum = 0;
     for (const int axis : {0, 1}) {
         const auto parts = halves(pattern, axis);
-        sum += distance(pair_correlation(parts[0], symbols, radii, bandwidth), pair_correlation(parts[1], symbols, radii, bandwidth));
+        sum += distance(pair_correlation(parts[0], symbols, radii, bandwidth),
+                        pair_correlation(parts[1], symbols, radii, bandwidth));
     }
     return 0.5 * sum;
 }

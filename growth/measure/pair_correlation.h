@@ -21,8 +21,8 @@ struct PairCorrelation {
 /// point itself left out. Symbols are below `symbols`.
 PairCorrelation pair_correlation(const PointPattern& pattern, int symbols, std::span<const double> radii, double bandwidth);
 
-/// Mean of |g - g_reference| over the radii, which are the same, weighted with the radius, and over pairs of symbols, weighted
-/// with their shares in the reference.
+/// Mean of |g - g_reference| over the radii, which are the same, weighted with the radius, and over pairs of symbols,
+/// weighted with their shares in the reference.
 double distance(const PairCorrelation& correlation, const PairCorrelation& reference);
 
 /// 40 radii from a quarter of the spacing to the lesser of 4 spacings and half of the pattern's shorter side.

@@ -11,10 +11,10 @@
 namespace rinceau {
 namespace {
 
-constexpr double finest = 640;             ///< cells along the longer side, at least ..
-constexpr double cells_a_shape = 16;       ///< .. or this many along `shortest`, whatever is more ..
-constexpr double most_cells = 1600;        ///< .. up to this
-constexpr double least_shared = 0.25;      ///< of the domain
+constexpr double finest = 640;         ///< cells along the longer side, at least ..
+constexpr double cells_a_shape = 16;   ///< .. or this many along `shortest`, whatever is more ..
+constexpr double most_cells = 1600;    ///< .. up to this
+constexpr double least_shared = 0.25;  ///< of the domain
 
 /// A multiple of 32 cells along a side of that length: such lengths are transformed fast, and halves are whole.
 int cells_along(double length, double cell) { return 32 * std::max(1, static_cast<int>(std::lround(length / cell / 32))); }
@@ -32,13 +32,18 @@ RepeatingStep strongest_repeat(const std::vector<Region>& regions, const PackDom
             for (Point& p : ring) p = {(p.x - domain.box.low.x) / size.x, (p.y - domain.box.low.y) / size.y};
         return region;
     };
-    const Mask empty{{0, 0}, 1, columns, rows, std::vector<std::uint8_t>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))};
+    const Mask empty{{0, 0},
+                     1,
+                     columns,
+                     rows,
+                     std::vector<std::uint8_t>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))};
     Mask covered = empty, ground = empty;
     for (const Region& region : regions) {
         const Region drawn = on_raster(region);
         for (int row = domain.tiled ? -1 : 0; row <= (domain.tiled ? 1 : 0); ++row)
             for (int column = domain.tiled ? -1 : 0; column <= (domain.tiled ? 1 : 0); ++column)
-                covered = with_region(std::move(covered), apply(translate({1.0 * column * columns, 1.0 * row * rows}), drawn));
+                covered = with_region(std::move(covered),
+                                      placed_region(drawn, translate({1.0 * column * columns, 1.0 * row * rows})));
     }
     if (domain.region) {
         ground = with_region(std::move(ground), on_raster(*domain.region));
@@ -46,7 +51,8 @@ RepeatingStep strongest_repeat(const std::vector<Region>& regions, const PackDom
         std::fill(ground.inside.begin(), ground.inside.end(), std::uint8_t{1});
     }
     double count = 0, mean = 0;
-    for (std::size_t i = 0; i < ground.inside.size(); ++i) count += ground.inside[i], mean += ground.inside[i] & covered.inside[i];
+    for (std::size_t i = 0; i < ground.inside.size(); ++i)
+        count += ground.inside[i], mean += ground.inside[i] & covered.inside[i];
     if (count == 0) return {};
     mean /= count;
     const double variance = mean * (1 - mean);

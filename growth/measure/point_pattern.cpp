@@ -1,5 +1,5 @@
-// The window of a pattern is a morphological closing of its points, widened by half a spacing, so that each point of a regular
-// pattern has the same area: a density that is told from it does not depend on the pattern's shape.
+// The window of a pattern is a morphological closing of its points, widened by half a spacing, so that each point of a
+// regular pattern has the same area: a density that is told from it does not depend on the pattern's shape.
 
 #include "growth/measure/point_pattern.h"
 
@@ -11,10 +11,12 @@
 namespace rinceau {
 namespace {
 
-constexpr double closing = 1.5;                ///< radius in spacings
-constexpr double cells_a_spacing = 16;         ///< fine enough that areas of small exemplars are right to 1 %
+constexpr double closing = 1.5;  ///< radius in spacings
+/// In spacings: a half, and what the arcs about neighbours at the rim leave open between them.
+constexpr double rim = 0.56;
+constexpr double cells_a_spacing = 16;  ///< fine enough that areas of small exemplars are right to 1 %
 constexpr std::size_t most_cells = 1'000'000;
-constexpr std::size_t tile_cells = 40'000;     ///< a tile's window only bounds lags: its cells need not be fine
+constexpr std::size_t tile_cells = 40'000;  ///< a tile's window only bounds lags: its cells need not be fine
 
 /// Cells that cannot be reached from the rim of the mask through cells outside.
 Mask without_holes(Mask mask) {
@@ -22,7 +24,8 @@ Mask without_holes(Mask mask) {
     std::vector<std::size_t> waiting;
     const auto reach = [&](int column, int row) {
         if (column < 0 || row < 0 || column >= mask.columns || row >= mask.rows) return;
-        const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.columns) + static_cast<std::size_t>(column);
+        const auto cell =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.columns) + static_cast<std::size_t>(column);
         if (mask.inside[cell] != 0 || open[cell] != 0) return;
         open[cell] = 1;
         waiting.push_back(cell);
@@ -69,7 +72,7 @@ Mask window_about(const std::vector<Point>& points, double spacing) {
     mask = without_holes(std::move(mask));
     const std::vector<double> depth = depths(mask);
     // The boundary lies half a cell before the first cell outside.
-    const double drop = reach - 0.5 * spacing + 0.5 * mask.cell;
+    const double drop = reach - rim * spacing + 0.5 * mask.cell;
     for (std::size_t cell = 0; cell < depth.size(); ++cell) mask.inside[cell] = depth[cell] > drop ? 1 : 0;
     return mask;
 }

@@ -22,11 +22,11 @@ DegreeHistogram degree_histogram(const Exemplar& exemplar);
 
 struct RingFit {
     DegreeHistogram degrees;
-    double right_degrees = 1;   ///< share of elements with as many neighbours as their reference
-    double spacing_error = 0;   ///< rms of the differences of lengths, over l
+    double right_degrees = 1;  ///< share of elements with as many neighbours as their reference
+    double spacing_error = 0;  ///< rms of the differences of lengths, over l
     double largest_spacing_error = 0;
-    double ring_error = 0;      ///< rms of the distances of places, over l
-    double defects = 0;         ///< neighbours without a place, an element
+    double ring_error = 0;  ///< rms of the distances of places, over l
+    double defects = 0;     ///< neighbours without a place, an element
 };
 
 /// Each neighbour of an element is compared with the nearest place of its reference's ring, turned by the element's angle;
