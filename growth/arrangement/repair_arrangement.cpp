@@ -20,6 +20,8 @@ constexpr double tolerated_surplus = 0.02;  // of the exemplar's density
 constexpr double removed_surplus = 0.8;     // the rest goes with what is done next
 constexpr double around_hole = 1.35;        // of its radius: who stands so near is a neighbour of what fills it
 constexpr std::size_t hole_neighbors = 10;  // the nearest of these
+constexpr double along_line = 0.5;          // mean edges between places that are looked at beside lines
+constexpr double most_places = 200'000;     // of these
 constexpr double largest_hole = 4;          // times the exemplar's: what is larger was never meant to be filled
 
 const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
@@ -121,6 +123,40 @@ bool is_hole(const ElementArrangement& arrangement, const GrowthGround& ground, 
     return nearest > limits.empty || clear > limits.gap;
 }
 
+// The mesh ends short of the lines: places along both sides of them, where a hole that leans on a line has its middle.
+std::vector<Point> places_along_lines(const GrowthGround& ground, const HoleLimits& limits) {
+    std::vector<Point> places;
+    const Boundary* boundary = ground.around.boundary.get();
+    if (boundary == nullptr || ground.rigid) return places;
+    const double step = along_line * ground.exemplar.mean_edge;
+    const auto add = [&](Point a, Point b) {
+        const double length = abs(b - a);
+        const double count = std::ceil(length / step);
+        if (!(length > 0) || static_cast<double>(places.size()) + 2 * count > most_places) return;
+        const Point aside = (0.5 * limits.empty / length) * (Complex{0, 1} * (b - a));
+        for (int i = 0; i < static_cast<int>(count); ++i) {
+            const Point on = a + ((i + 0.5) / count) * (b - a);
+            for (const Point at : {on + aside, on - aside})
+                if (boundary->allows(at)) places.push_back(at);
+        }
+    };
+    for (const Polyline& line : boundary->lines())
+        for (std::size_t i = 1; i < line.size(); ++i) add(line[i - 1], line[i]);
+    if (boundary->region())
+        for (const std::vector<Point>& ring : *boundary->region())
+            for (std::size_t i = 0; i < ring.size(); ++i) add(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    return places;
+}
+
+// Elements on at least two sides: what has grown there has passed by.
+bool has_grown_around(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, double radius) {
+    int count = 0;
+    arrangement.grid.visit(at, 2 * radius, [&](int node, Point position) {
+        if (is_element(node_of(arrangement, node)) && !is_barred(ground, position, at)) ++count;
+    });
+    return count >= 2;
+}
+
 }  // namespace
 
 void thin_out(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh) {
@@ -196,6 +232,9 @@ std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround&
         if (!grown || is_barred(ground, mesh.points[static_cast<std::size_t>(face.front())], circle.center)) continue;
         if (is_hole(arrangement, ground, circle.center, limits)) holes.push_back({-circle.radius, circle.center});
     }
+    for (const Point at : places_along_lines(ground, limits))
+        if (is_hole(arrangement, ground, at, limits) && has_grown_around(arrangement, ground, at, limits.empty))
+            holes.push_back({-limits.empty, at});
     std::stable_sort(holes.begin(), holes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     RingMatcher matcher(ground, ground.options.weights);
     std::vector<int> filled;
