@@ -11,15 +11,15 @@
 namespace rinceau {
 
 struct FlowOptions {
-    double step = 1;        ///< of the table, scene length; half an edge of the exemplar is fine enough
-    bool directed = true;   ///< strokes say forward and back; false: only along which line (doubled angles)
-    std::size_t max_samples = 300;  ///< of all strokes together
+    double step = 1;                    ///< of the table, scene length; half an edge of the exemplar is fine enough
+    bool directed = true;               ///< strokes say forward and back; false: only along which line (doubled angles)
+    std::size_t max_samples = 300;      ///< of all strokes together
     std::size_t max_cells = 4'000'000;  ///< the step is widened to keep within
 };
 
 /// Directions on a grid; a value, cheap to copy where it is shared.
 struct FlowField {
-    Box box;          ///< where it was tabulated; outside, the nearest edge counts
+    Box box;  ///< where it was tabulated; outside, the nearest edge counts
     double step = 1;
     int columns = 0, rows = 0;
     bool directed = true;
