@@ -15,8 +15,8 @@ struct Grown {
     double seconds = 0;
 };
 
-Grown grown(const Exemplar& exemplar, std::size_t count, const ArrangeOptions& options, const ArrangeSurroundings& around = {},
-            Point start = {}) {
+Grown grown(const Exemplar& exemplar, std::size_t count, const ArrangeOptions& options,
+            const ArrangeSurroundings& around = {}, Point start = {}) {
     const std::clock_t begin = std::clock();
     ElementArrangement arrangement = with_seed(empty_arrangement(exemplar, options), exemplar, around, start);
     const GrowOrder order{.count = count};
@@ -72,7 +72,8 @@ void case_lines(GrowthLines& lines, const ExemplarCase& one, std::size_t count, 
     const ArrangementMeasures measures = measure_arrangement(exemplar, result.arrangement);
     pictures.draw(one.name + " " + std::to_string(count), exemplar, result.arrangement);
     lines.say("elements of the exemplar", static_cast<double>(exemplar.originals));
-    lines.between("elements", static_cast<double>(measures.elements), 0.97 * static_cast<double>(count), 1.03 * static_cast<double>(count));
+    lines.between("elements", static_cast<double>(measures.elements), 0.97 * static_cast<double>(count),
+                  1.03 * static_cast<double>(count));
     lines.say("seconds", result.seconds);
     overlap_lines(lines, exemplar, measures);
     if (one.demand == Demand::exact) exact_lines(lines, measures);
@@ -87,7 +88,8 @@ void region_lines(GrowthLines& lines, const ExemplarCase& one, const GrowthPictu
     const double side = 24 * exemplar.mean_edge;
     const Region region{{{0, 0}, {side, 0}, {side, side}, {0, side}}};
     const ArrangeSurroundings around{
-        nullptr, std::make_shared<Boundary>(std::vector<Polyline>{{{0.3 * side, 0.5 * side}, {0.75 * side, 0.62 * side}}}, region)};
+        nullptr,
+        std::make_shared<Boundary>(std::vector<Polyline>{{{0.3 * side, 0.5 * side}, {0.75 * side, 0.62 * side}}}, region)};
     const Grown result = grown(exemplar, GrowOrder{}.count, {}, around, {0.4 * side, 0.25 * side});
     const ArrangementMeasures measures = measure_arrangement(exemplar, result.arrangement, around);
     pictures.draw(one.name + " in a square", exemplar, result.arrangement);
@@ -111,10 +113,12 @@ void speed_lines(GrowthLines& lines, const ExemplarCase& one) {
     lines.begin("arrangement, speed: " + one.name);
     const bool irregular = exemplar.irregular;
     lines.at_most("1,000 relaxed: seconds", seconds_for(exemplar, 1000, {.finish = false}), 0.03);
-    lines.at_most("1,000 turned by their rings: seconds", seconds_for(exemplar, 1000, {.mode = RotationMode::rotate, .finish = false}), 0.12);
+    lines.at_most("1,000 turned by their rings: seconds",
+                  seconds_for(exemplar, 1000, {.mode = RotationMode::rotate, .finish = false}), 0.12);
     if (irregular) {
         lines.at_most("1,000 with the finish: seconds", seconds_for(exemplar, 1000, {}), 0.1);
-        lines.at_most("1,000 turned, with the finish: seconds", seconds_for(exemplar, 1000, {.mode = RotationMode::rotate}), 0.2);
+        lines.at_most("1,000 turned, with the finish: seconds", seconds_for(exemplar, 1000, {.mode = RotationMode::rotate}),
+                      0.2);
     }
     const double few = seconds_for(exemplar, 1000, {}) / 1000;
     lines.say("10,000: seconds", grown(exemplar, 10'000, {}).seconds);
@@ -125,7 +129,8 @@ void speed_lines(GrowthLines& lines, const ExemplarCase& one) {
 
 }  // namespace
 
-void arrangement_lines(GrowthLines& lines, const std::vector<ExemplarCase>& cases, const std::string& only, const GrowthPictures& pictures) {
+void arrangement_lines(GrowthLines& lines, const std::vector<ExemplarCase>& cases, const std::string& only,
+                       const GrowthPictures& pictures) {
     for (const ExemplarCase& one : cases) {
         if (one.name.find(only) == std::string::npos) continue;
         try {

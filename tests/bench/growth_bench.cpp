@@ -1,7 +1,6 @@
-// Everything that docs/growth.md promises, measured: one line a figure with its bar, and whether it holds. Exit status 1 if one
-// does not.
-// Usage: growth_bench CORPUS_FOLDER [--csv] [--only NAME] [--pictures FOLDER] [--skip-speed]
-// CORPUS_FOLDER holds arrangement/*.svg (exemplars) and shapes/*.svg (silhouettes).
+// Everything that docs/growth.md promises, measured: one line a figure with its bar, and whether it holds. Exit status 1 if
+// one does not. Usage: growth_bench CORPUS_FOLDER [--csv] [--only NAME] [--pictures FOLDER] [--skip-speed] CORPUS_FOLDER
+// holds arrangement/*.svg (exemplars) and shapes/*.svg (silhouettes).
 
 #include "growth_bench.h"
 
@@ -19,8 +18,8 @@ void write_outlines(const std::string& file, const Box& box, const std::vector<s
     std::ofstream out(file);
     const double size = std::max(width(box), height(box));
     out << "<svg xmlns='http://www.w3.org/2000/svg' width='" << picture_size << "' height='" << picture_size << "' viewBox='"
-        << box.low.x << ' ' << -box.high.y << ' ' << width(box) << ' ' << height(box) << "'>\n<rect x='" << box.low.x << "' y='"
-        << -box.high.y << "' width='" << width(box) << "' height='" << height(box) << "' fill='white'/>\n";
+        << box.low.x << ' ' << -box.high.y << ' ' << width(box) << ' ' << height(box) << "'>\n<rect x='" << box.low.x
+        << "' y='" << -box.high.y << "' width='" << width(box) << "' height='" << height(box) << "' fill='white'/>\n";
     constexpr const char* colors[] = {"#3b6ea8", "#c8553d", "#5a8f4e", "#8a5aa8", "#c09a2f", "#4a9c9c"};
     for (const auto& [region, kind] : outlines) {
         out << "<path fill-rule='evenodd' stroke='black' fill-opacity='0.7' stroke-width='" << size / 4000 << "' fill='"
@@ -47,7 +46,8 @@ void GrowthPictures::draw(const std::string& name, const Exemplar& exemplar, con
     Box box;
     for (const ArrangedElement& element : arranged_elements(arrangement)) {
         const ExemplarElement& reference = exemplar.elements[static_cast<std::size_t>(element.reference)];
-        outlines.emplace_back(placed_region(reference.outline, translate(element.position) * rotate(element.angle)), reference.symbol);
+        outlines.emplace_back(placed_region(reference.outline, translate(element.position) * rotate(element.angle)),
+                              reference.symbol);
         box = including(box, element.position);
     }
     write_outlines(file_of(folder, name), grown(box, exemplar.mean_edge), outlines);
@@ -111,14 +111,14 @@ int main(int count, char** values) {
     std::vector<ExemplarCase> speeds{lattices[0], lattices[8], strewn[0], strewn[2]};
     std::vector<ExemplarCase> all = lattices;
     append(all, strewn);
-    append(all, drawn_cases(options.corpus + "/arrangement", false));
-    append(all, drawn_cases(options.corpus + "/arrangement", true));
+    append(all, drawn_cases(options.corpus + "/arrangement", false, options.only));
+    append(all, drawn_cases(options.corpus + "/arrangement", true, options.only));
     arrangement_lines(lines, all, options.only, options.pictures);
     arrangement_region_lines(lines, regions, options.only, options.pictures);
     if (options.speed) arrangement_speed_lines(lines, speeds, options.only);
 
     constexpr double shapes = 224;
-    aggregate_lines(lines, shape_cases(options.corpus + "/shapes", shapes), options.only, options.pictures);
+    aggregate_lines(lines, shape_cases(options.corpus + "/shapes", shapes, options.only), options.only, options.pictures);
     if (options.speed && options.only.empty()) aggregate_speed_lines(lines, options.corpus + "/shapes");
     if (!options.csv) std::cout << '\n' << lines.judgements() << " bars, " << lines.failures() << " failures\n";
     return lines.failures() == 0 ? 0 : 1;

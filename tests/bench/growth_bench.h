@@ -25,7 +25,8 @@ void arrangement_region_lines(GrowthLines& lines, const std::vector<ExemplarCase
                               const GrowthPictures& pictures);
 void arrangement_speed_lines(GrowthLines& lines, const std::vector<ExemplarCase>& cases, const std::string& only);
 
-void aggregate_lines(GrowthLines& lines, const std::vector<ShapeCase>& cases, const std::string& only, const GrowthPictures& pictures);
+void aggregate_lines(GrowthLines& lines, const std::vector<ShapeCase>& cases, const std::string& only,
+                     const GrowthPictures& pictures);
 /// 1,000 and 10,000 shapes.
 void aggregate_speed_lines(GrowthLines& lines, const std::string& shape_folder);
 

@@ -73,7 +73,8 @@ std::vector<ExemplarPoint> checkerboard() {
 std::vector<ExemplarPoint> honeycomb() {
     std::vector<ExemplarPoint> points;
     const double root = std::sqrt(3.0);
-    for (const ExemplarPoint& cell : planned({.u = {root, 0}, .v = {root / 2, 1.5}, .outline = disc(0.2), .staggered = true})) {
+    for (const ExemplarPoint& cell :
+         planned({.u = {root, 0}, .v = {root / 2, 1.5}, .outline = disc(0.2), .staggered = true})) {
         points.push_back(cell);
         points.push_back(cell);
         points.back().position += Point{0, 1};
@@ -109,11 +110,13 @@ FiguredDrawing figured(const fs::path& file, const FigureOptions& options) {
     return figures_of(analyze(drawing.scene).grammar, options);
 }
 
-ShapeCase shape_case(const std::string& name, const std::string& folder, const std::vector<std::string>& files, double share_tolerance) {
-    ShapeCase set{.name = name, .share_tolerance = share_tolerance};
-    for (const std::string& file : files) set.regions.push_back(silhouette((fs::path(folder) / (file + ".svg")).string()));
-    return set;
-}
+struct ShapePlan {
+    std::string name;
+    std::vector<std::string> files;
+    double min_scale = 1;
+    double share_tolerance = 1;
+    double coverage = 0;
+};
 
 /// The square that so many shapes, each kind as often, cover to that share.
 double side_for(const ShapeCase& set, double shapes, double coverage) {
@@ -149,7 +152,7 @@ std::vector<ExemplarCase> strewn_cases() {
     };
 }
 
-std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled) {
+std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, const std::string& only) {
     std::vector<fs::path> files;
     if (fs::is_directory(folder))
         for (const auto& entry : fs::directory_iterator(folder))
@@ -157,8 +160,10 @@ std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled) {
     std::sort(files.begin(), files.end());
     std::vector<ExemplarCase> cases;
     for (const fs::path& file : files) {
+        const std::string name = file.stem().string() + (tiled ? ", tiled" : "");
+        if (name.find(only) == std::string::npos) continue;
         ExemplarCase& one = cases.emplace_back();
-        one.name = file.stem().string() + (tiled ? ", tiled" : "");
+        one.name = name;
         try {
             const FiguredDrawing drawing = figured(file, {});
             ExemplarOptions options;
@@ -181,21 +186,27 @@ ExclusiveRegion silhouette(const std::string& file) {
     return drawn_exclusive_region(scaled, {}, file);
 }
 
-std::vector<ShapeCase> shape_cases(const std::string& folder, double shapes) {
+std::vector<ShapeCase> shape_cases(const std::string& folder, double shapes, const std::string& only) {
     std::vector<std::string> all;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".svg") all.push_back(entry.path().stem().string());
+    if (fs::is_directory(folder))
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (entry.path().extension() == ".svg") all.push_back(entry.path().stem().string());
     std::sort(all.begin(), all.end());
-    std::vector<ShapeCase> sets{shape_case("boomerang, worm, gecko", folder, {"boomerang", "worm", "gecko"}, 0),
-                                shape_case("two leaves", folder, {"maple-leaf", "oak-leaf"}, 1),
-                                shape_case("wrench, saw, feather, snake", folder, {"wrench", "hand-saw", "feather", "snake"}, 1),
-                                shape_case("all silhouettes", folder, all, 0.1)};
-    sets[1].min_scale = 0.2;
-    // Coverage that the default method is known to reach (the last: a guess between them).
-    sets[0].side = side_for(sets[0], shapes, 0.34);
-    sets[1].side = side_for(sets[1], 4 * shapes, 0.5);
-    sets[2].side = side_for(sets[2], shapes, 0.455);
-    sets[3].side = side_for(sets[3], shapes, 0.4);
+    // Coverage that the default method is known to reach (of all: a guess between the others).
+    const std::vector<ShapePlan> plans{
+        {"boomerang, worm, gecko", {"boomerang", "worm", "gecko"}, 1, 0, 0.34},
+        {"two leaves", {"maple-leaf", "oak-leaf"}, 0.2, 1, 0.5},
+        {"wrench, saw, feather, snake", {"wrench", "hand-saw", "feather", "snake"}, 1, 1, 0.455},
+        {"all silhouettes", all, 1, 0.1, 0.4}};
+    std::vector<ShapeCase> sets;
+    for (const ShapePlan& plan : plans) {
+        if (plan.name.find(only) == std::string::npos) continue;
+        ShapeCase set{.name = plan.name, .min_scale = plan.min_scale, .share_tolerance = plan.share_tolerance};
+        for (const std::string& file : plan.files)
+            set.regions.push_back(silhouette((fs::path(folder) / (file + ".svg")).string()));
+        set.side = side_for(set, plan.min_scale < 1 ? 4 * shapes : shapes, plan.coverage);
+        sets.push_back(std::move(set));
+    }
     return sets;
 }
 

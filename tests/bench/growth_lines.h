@@ -46,13 +46,19 @@ class GrowthLines {
         failures_ += good ? 0 : 1;
         line(figure, value, low > -any ? text(low) : "", high < any ? text(high) : "", good ? "pass" : "FAIL");
     }
-    void line(const std::string& figure, double value, const std::string& low, const std::string& high, const std::string& verdict) {
+    void line(const std::string& figure, double value, const std::string& low, const std::string& high,
+              const std::string& verdict) {
         if (csv_) {
-            std::cout << '"' << name_ << "\",\"" << figure << "\"," << text(value) << ',' << low << ',' << high << ',' << verdict << '\n';
+            std::cout << '"' << name_ << "\",\"" << figure << "\"," << text(value) << ',' << low << ',' << high << ','
+                      << verdict << '\n';
             return;
         }
-        const std::string bar = low.empty() && high.empty() ? "" : low.empty() ? "<= " + high : high.empty() ? ">= " + low : low + " .. " + high;
-        std::cout << "  " << std::left << std::setw(44) << figure << std::setw(12) << text(value) << std::setw(18) << bar << verdict << std::endl;
+        const std::string bar = low.empty() && high.empty() ? ""
+                                : low.empty()               ? "<= " + high
+                                : high.empty()              ? ">= " + low
+                                                            : low + " .. " + high;
+        std::cout << "  " << std::left << std::setw(44) << figure << std::setw(12) << text(value) << std::setw(18) << bar
+                  << verdict << std::endl;
     }
 
     bool csv_;
