@@ -8,6 +8,7 @@
 
 #include "analyzer/analyze.h"
 #include "geometry/random.h"
+#include "growth/arrangement/tile_of_drawing.h"
 #include "growth/figures.h"
 #include "scene/svg_read.h"
 
@@ -165,11 +166,12 @@ std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, con
         ExemplarCase& one = cases.emplace_back();
         one.name = name;
         try {
-            const FiguredDrawing drawing = figured(file);
+            FiguredDrawing drawing = figured(file);
             ExemplarOptions options;
             if (tiled) options.tile = drawing.grammar.canvas;
+            if (tiled) drawing = as_tile(std::move(drawing), *options.tile);
             one.exemplar = make_exemplar(drawing, options, file.filename().string());
-            if (!one.exemplar->irregular) one.demand = one.exemplar->lattice ? Demand::jittered : Demand::exact;
+            if (!one.exemplar->irregular) one.demand = Demand::jittered;
         } catch (const std::exception& error) {
             one.fault = error.what();
         }
