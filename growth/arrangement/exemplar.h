@@ -3,12 +3,13 @@
 // 2008, section 4).
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "geometry/progress.h"
+#include "geometry/angle.h"
 #include "growth/figures.h"
 
 namespace rinceau {
@@ -22,12 +23,12 @@ struct ExemplarRing {
 
 struct ExemplarElement {
     Point position;
-    int symbol = 0;            ///< kind: elements of one kind may stand for one another
-    int sub_id = 0;            ///< which element of the drawing this is: copies in a tiled exemplar share it
-    double radius = 0;         ///< of the circle about the position that holds its outline
-    Region outline;            ///< what it paints, relative to its position
+    int symbol = 0;     ///< kind: elements of one kind may stand for one another
+    int sub_id = 0;     ///< which element of the drawing this is: copies in a tiled exemplar share it
+    double radius = 0;  ///< of the circle about the position that holds its outline
+    Region outline;     ///< what it paints, relative to its position
     ExemplarRing ring;
-    bool usable = false;       ///< has a whole ring of its own: may be chosen for a seed
+    bool usable = false;           ///< has a whole ring of its own: may be chosen for a seed
     std::array<int, 2> lattice{};  ///< column and row, if the exemplar is a lattice
 };
 
@@ -38,24 +39,29 @@ struct ExemplarLattice {
 };
 
 struct ExemplarSymbol {
-    std::string name;      ///< of the figure, or of the largest of several that count as one kind
-    double share = 0;      ///< of all elements
-    double density = 0;    ///< elements per unit of area
+    std::string name;    ///< of the figure, or of the largest of several that count as one kind
+    double share = 0;    ///< of all elements
+    double density = 0;  ///< elements per unit of area
 };
 
 /// Example of an arrangement. Lengths are scene lengths.
 struct Exemplar {
     std::vector<ExemplarElement> elements;
+    /// The first so many are those of the input; the others, of a tiled exemplar, are their copies in the eight tiles
+    /// around.
+    std::size_t originals = 0;
+    std::optional<Box> tile;
     std::vector<ExemplarSymbol> symbols;
     std::vector<std::pair<int, int>> edges;  ///< of the connectivity, lower element first, sorted
-    double mean_edge = 1;      ///< l
+    double mean_edge = 1;                    ///< l
     double shortest_edge = 1;
     double longest_edge = 1;
-    std::vector<std::vector<double>> min_distance;  ///< of centres, per pair of symbols; infinite if a pair was never seen near
-    double density = 0;        ///< elements per unit of area
-    double largest_empty = 0;  ///< radius of the largest circle without a centre in the inside of the exemplar
+    std::vector<std::vector<double>>
+        min_distance;               ///< of centres, per pair of symbols; infinite if a pair was never seen near
+    double density = 0;             ///< elements per unit of area
+    double largest_empty = 0;       ///< radius of the largest circle without a centre in the inside of the exemplar
     bool outlines_overlap = false;  ///< some outlines of the exemplar cross: then grown ones may, too
-    bool irregular = true;     ///< false: a lattice, or rings so alike that no finish is needed
+    bool irregular = true;          ///< false: a lattice, or rings so alike that no finish is needed
     std::optional<ExemplarLattice> lattice;
 };
 
@@ -63,28 +69,31 @@ struct Exemplar {
 struct ExemplarPoint {
     Point position;
     int symbol = 0;
-    Region outline;       ///< relative to its position; may be empty in tests
-    bool whole = true;    ///< FigureInstance::whole
+    Region outline;     ///< relative to its position; may be empty in tests
+    bool whole = true;  ///< FigureInstance::whole
 };
 
 struct ExemplarOptions {
     /// Voronoi vertices nearer to each other than this share of sqrt(area / elements) are one: what is nearly cocircular is
     /// no triangle. 0 = 0.25 for regular exemplars, 0.1 for irregular ones.
     double tie = 0;
-    double max_angle = 119.0 * 3.14159265358979323846 / 180;  ///< of a triangle at the rim, radians; more -> it is dropped (section 4: 120 degrees)
+    double max_angle = radians(119);  ///< of a triangle at the rim, radians; more -> it is dropped (section 4: 120 degrees)
     bool find_lattice = true;
-    std::optional<Box> tile;  ///< the exemplar repeats with the width and height of this box: no rim (GROWTH beyond the paper)
-    std::vector<std::pair<int, int>> flips;  ///< edges to be flipped by hand (section 4, figure 3): elements, as numbered in the input
+    std::optional<Box>
+        tile;  ///< the exemplar repeats with the width and height of this box: no rim (GROWTH beyond the paper)
+    std::vector<std::pair<int, int>>
+        flips;  ///< edges to be flipped by hand (section 4, figure 3): elements, as numbered in the input
 };
 
 /// Throws InputError in the name of `label`: fewer than 4 elements, elements in one line or in one place, no element with a
-/// whole ring, fewer than 4 usable elements in an exemplar that is no lattice, an edge to be flipped that is not there or has no
-/// quadrilateral about it. Each message says what can be done.
+/// whole ring, fewer than 4 usable elements in an exemplar that is no lattice, an edge to be flipped that is not there or
+/// has no quadrilateral about it. Each message says what can be done.
 Exemplar make_exemplar(const std::vector<ExemplarPoint>& points, const std::vector<std::string>& symbol_names,
                        const ExemplarOptions& options, const std::string& label);
 
 /// The same from a drawing; element i of the exemplar is instances[i] of the drawing (with a tile: i modulo their number).
-/// Figures are sorted into kinds: by figure; those that have fewer than three copies by what paints them and how large they are.
+/// Figures are sorted into kinds: by figure; those that have fewer than three copies by what paints them and how large they
+/// are.
 Exemplar make_exemplar(const FiguredDrawing& drawing, const ExemplarOptions& options, const std::string& label);
 
 }  // namespace rinceau
