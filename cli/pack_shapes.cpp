@@ -178,15 +178,15 @@ PackShape pack_shape(const ShapePlace& place, const Region* drawn, const Region*
 TriangleMesh stood_up(TriangleMesh mesh, UpAxis up, Point at, double scale) {
     const auto [low, high] = bounds(mesh);
     const Point middle = 0.5 * (ground_point(low, up) + ground_point(high, up));
-    const Point3 foot = up == UpAxis::y ? Point3{middle.x, low.y, -middle.y} : Point3{middle.x, middle.y, low.z};
-    const Point3 to = up == UpAxis::y ? Point3{at.x, 0, -at.y} : Point3{at.x, at.y, 0};
-    for (Point3& p : mesh.positions) p = scale * (p - foot) + to;
+    const SpacePoint foot = up == UpAxis::y ? SpacePoint{middle.x, low.y, -middle.y} : SpacePoint{middle.x, middle.y, low.z};
+    const SpacePoint to = up == UpAxis::y ? SpacePoint{at.x, 0, -at.y} : SpacePoint{at.x, at.y, 0};
+    for (SpacePoint& p : mesh.positions) p = scale * (p - foot) + to;
     return mesh;
 }
 
 Box ground_box(const TriangleMesh& mesh, UpAxis up) {
     Box box;
-    for (const Point3 p : mesh.positions) box = including(box, ground_point(p, up));
+    for (const SpacePoint p : mesh.positions) box = including(box, ground_point(p, up));
     return box;
 }
 

@@ -84,8 +84,8 @@ TEST_CASE("An OBJ with quads, negative numbers and comments is read as triangles
     CHECK(mesh.triangles.size() == 12);
     CHECK(volume(mesh) == Approx(6));
     const auto [low, high] = bounds(mesh);
-    CHECK(low == Point3{0, 0, 0});
-    CHECK(high == Point3{2, 1, 3});
+    CHECK(low == SpacePoint{0, 0, 0});
+    CHECK(high == SpacePoint{2, 1, 3});
 }
 
 TEST_CASE("A written OBJ reads back as all its instances where they stand") {
@@ -147,7 +147,7 @@ TEST_CASE("A GLB holds each mesh once and a node for each instance; the library 
     for (std::size_t i = 0; i < indices.size(); i += 3)
         mesh.triangles.push_back({static_cast<int>(indices[i]), static_cast<int>(indices[i + 1]), static_cast<int>(indices[i + 2])});
     CHECK(volume(mesh) == Approx(6));
-    const std::vector<Point3> flat = triangle_normals(mesh);
+    const std::vector<SpacePoint> flat = triangle_normals(mesh);
     for (std::size_t t = 0; t < flat.size(); ++t) {
         const auto v = 3 * static_cast<std::size_t>(mesh.triangles[t][0]);
         CHECK(dot(flat[t], {normals[v], normals[v + 1], normals[v + 2]}) == Approx(1));
@@ -159,7 +159,7 @@ TEST_CASE("A GLB holds each mesh once and a node for each instance; the library 
     const auto& node = model.nodes[1];
     CHECK(node.translation == std::vector<double>{10, 0, -20});
     CHECK(node.scale == std::vector<double>{0.5, 0.5, 0.5});
-    const Point3 corner = apply(assembly.instances[1].pose, {2, 1, 3});
+    const SpacePoint corner = apply(assembly.instances[1].pose, {2, 1, 3});
     CHECK(corner.x == Approx(10 + 1.5));
     CHECK(corner.y == Approx(0.5));
     CHECK(corner.z == Approx(-20 - 1));
@@ -173,7 +173,7 @@ TEST_CASE("With z up a node above all turns a GLB to y up") {
     CHECK(model.scenes[0].nodes == std::vector<int>{0});
     CHECK(model.nodes[0].children == std::vector<int>{1, 2, 3});
     const auto& q = model.nodes[0].rotation;
-    const Point3 up = apply(MeshPose{.rotation = {q[0], q[1], q[2], q[3]}}, {0, 0, 1});
+    const SpacePoint up = apply(MeshPose{.rotation = {q[0], q[1], q[2], q[3]}}, {0, 0, 1});
     CHECK(up.y == Approx(1));
     CHECK(up.z == Approx(0).margin(1e-12));
 }
