@@ -24,8 +24,15 @@ inline int orientation(Point a, Point b, Point c) {
     return exact_orientation(a, b, c);
 }
 
+/// How two closed segments lie to each other; each may be a single point. crossed: each has its ends on both sides of the
+/// other. Exact.
+enum class SegmentContact : unsigned char { apart, touching, crossed };
+SegmentContact segment_contact(Point a, Point b, Point c, Point d);
+
 /// Have the closed segments a b and c d a point in common? Exact; either may be a single point.
-bool segments_meet(Point a, Point b, Point c, Point d);
+inline bool segments_meet(Point a, Point b, Point c, Point d) {
+    return segment_contact(a, b, c, d) != SegmentContact::apart;
+}
 
 /// Does the edge a b cross the ray from p, which does not lie on the edge, to the right? Half-open, so that a corner level
 /// with p counts once: p lies inside a polygon (even-odd) if an odd number of its edges crosses. Exact.

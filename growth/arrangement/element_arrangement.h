@@ -3,10 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "geometry/index_map.h"
 #include "geometry/random.h"
 #include "growth/arrangement/arrange_options.h"
+#include "growth/arrangement/node_grid.h"
+#include "growth/arrangement/seed_queue.h"
 
 namespace rinceau {
 
@@ -26,6 +30,7 @@ struct ArrangementNode {
     bool held = false;    ///< is not moved by relaxation
     bool dead = false;
     std::array<int, 2> lattice{};
+    int birth = -1;       ///< of elements: how many were placed before
 };
 
 /// A value. Indices of nodes stay as long as it grows.
@@ -34,6 +39,16 @@ struct ElementArrangement {
     std::vector<ArrangementNode> nodes;
     std::size_t elements = 0;  ///< nodes that are no seeds and not dead
     Random random{1};
+    NodeGrid grid;                    ///< holds every node that is not dead
+    SeedQueue queue;                  ///< holds every seed, or it waits there
+    std::vector<std::size_t> counts;  ///< elements of each symbol
+    std::optional<Point> start;       ///< of the first seed: distances are measured from it
+    IndexMap sites;                   ///< of a lattice: site -> node
+    int births = 0;                   ///< elements placed so far
+    std::size_t relaxed = 0;          ///< elements when the whole was relaxed last
 };
+
+inline bool is_element(const ArrangementNode& node) { return node.reference >= 0 && !node.dead; }
+inline bool is_seed(const ArrangementNode& node) { return node.reference < 0 && !node.dead; }
 
 }  // namespace rinceau
