@@ -1,6 +1,6 @@
-// Ijiri et al. 2008, eq. 1, with two charges that the paper has not. Its term for sub-ids forbids the same two elements side by
-// side; that one element of the drawing stands in rows, which a viewer sees first, it does not see (repeat). And where rare
-// elements fit worse than common ones their share falls with every step (balance).
+// Ijiri et al. 2008, eq. 1, with two charges that the paper has not. Its term for sub-ids forbids the same two elements side
+// by side; that one element of the drawing stands in rows, which a viewer sees first, it does not see (repeat). And where
+// rare elements fit worse than common ones their share falls with every step (balance).
 #include "growth/arrangement/choose_reference.h"
 
 #include <algorithm>
@@ -74,7 +74,8 @@ double seed_angle(const ElementArrangement& arrangement, const GrowthGround& gro
 
 // Keeps the cheapest; `base` and `match` as RingMatcher::match has them.
 template <class Match>
-ReferenceMatch cheapest(const std::vector<int>& candidates, const ReferenceCharges& charges, std::size_t first, Match&& match) {
+ReferenceMatch cheapest(const std::vector<int>& candidates, const ReferenceCharges& charges, std::size_t first,
+                        Match&& match) {
     ReferenceMatch best;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const int reference = candidates[(first + i) % candidates.size()];
@@ -89,8 +90,8 @@ ReferenceMatch cheapest(const std::vector<int>& candidates, const ReferenceCharg
 
 }  // namespace
 
-ReferenceMatch best_reference(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher, int seed,
-                              const TargetRing& ring, Random& random) {
+ReferenceMatch best_reference(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
+                              int seed, const TargetRing& ring, Random& random) {
     const ArrangementNode& node = node_of(arrangement, seed);
     const std::vector<int>& candidates = candidates_for(ground, node.symbol);
     const ReferenceCharges charges(arrangement, ground, node.position);

@@ -22,8 +22,8 @@ class ReferenceCharges {
 
 /// The reference for a seed: of its symbol, or of any if it has none or if no usable element has it. What costs the same is
 /// chosen by chance.
-ReferenceMatch best_reference(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher, int seed,
-                              const TargetRing& ring, Random& random);
+ReferenceMatch best_reference(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
+                              int seed, const TargetRing& ring, Random& random);
 
 /// All that fit the seed, cheapest first, for when the first does not fit otherwise.
 std::vector<ReferenceMatch> references_by_cost(const ElementArrangement& arrangement, const GrowthGround& ground,

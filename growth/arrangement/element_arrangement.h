@@ -16,21 +16,21 @@ namespace rinceau {
 
 /// A neighbour of a node, kept at both ends.
 struct RingLink {
-    int other = 0;        ///< node
-    int place = -1;       ///< of the reference's ring that it fills; -1 = none
-    Point target;         ///< where the reference wants it, relative to the node
+    int other = 0;   ///< node
+    int place = -1;  ///< of the reference's ring that it fills; -1 = none
+    Point target;    ///< where the reference wants it, relative to the node
 };
 
 struct ArrangementNode {
     Point position;
-    int symbol = -1;      ///< -1 = any (a seed only)
-    int reference = -1;   ///< element of the exemplar; -1 = a seed
-    double angle = 0;     ///< that the reference's ring is turned by
+    int symbol = -1;     ///< -1 = any (a seed only)
+    int reference = -1;  ///< element of the exemplar; -1 = a seed
+    double angle = 0;    ///< that the reference's ring is turned by
     std::vector<RingLink> links;
-    bool held = false;    ///< is not moved by relaxation
+    bool held = false;  ///< is not moved by relaxation
     bool dead = false;
     std::array<int, 2> lattice{};
-    int birth = -1;       ///< of elements: how many were placed before
+    int birth = -1;  ///< of elements: how many were placed before
 };
 
 /// A value. Indices of nodes stay as long as it grows.

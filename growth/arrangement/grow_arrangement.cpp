@@ -18,9 +18,10 @@ constexpr std::size_t tries_at_lines = 12;        // references that are tried w
 constexpr std::size_t relax_all_from = 16;        // elements: fewer are all near each other
 constexpr std::size_t most_elements = 1'000'000;  // of a growth that nothing else ends
 constexpr double priority_reach = 5;              // mean edges (section 5.1)
-constexpr std::size_t relax_all_growth = 4;  // the whole is relaxed whenever it has grown so many times: oftener is no better
+constexpr std::size_t relax_all_growth =
+    4;  // the whole is relaxed whenever it has grown so many times: oftener is no better
 constexpr int angle_rounds = 2;
-constexpr std::size_t report_every = 64;     // steps
+constexpr std::size_t report_every = 64;  // steps
 
 ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];
@@ -40,7 +41,8 @@ std::vector<int> nodes_by_birth(const ElementArrangement& arrangement) {
 /// One call of grow().
 class Growing {
   public:
-    Growing(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around, const GrowOrder& order)
+    Growing(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around,
+            const GrowOrder& order)
         : arrangement_(std::move(arrangement)),
           ground_(make_ground(exemplar, around, arrangement_.options)),
           matcher_(ground_, ground_.options.weights),
@@ -71,7 +73,8 @@ std::size_t largest_count(const ElementArrangement& arrangement, const GrowthGro
     constexpr double spare = 4;
     std::size_t most = std::min(order.count, arrangement.elements + most_elements);
     const auto fits = [&](double area_to_fill) {
-        return arrangement.elements + 100 + static_cast<std::size_t>(std::min(spare * area_to_fill * ground.exemplar.density, 1e9));
+        return arrangement.elements + 100 +
+               static_cast<std::size_t>(std::min(spare * area_to_fill * ground.exemplar.density, 1e9));
     };
     if (order.brush) most = std::min(most, fits(pi * std::pow(order.brush->radius + ground.exemplar.mean_edge, 2)));
     if (ground.around.boundary != nullptr && ground.around.boundary->region())
@@ -223,7 +226,8 @@ ElementArrangement grow(ElementArrangement arrangement, const Exemplar& exemplar
 
 ElementArrangement finished(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around,
                             const GrowOrder& order, const Progress& progress) {
-    (void)order; (void)progress;
+    (void)order;
+    (void)progress;
     const GrowthGround ground = make_ground(exemplar, around, arrangement.options);
     if (arrangement.elements > 0) settle_all(arrangement, ground, 4);
     return arrangement;

@@ -18,13 +18,16 @@ double gap_between(Point a, Point b) {
     return gap > 0 ? gap : gap + two_pi;
 }
 
-// From an element to its neighbour in columns and rows. In a tiled lattice a neighbour beyond the tile's edge has the index of
-// its copy inside: there the offset tells which step it is.
-std::array<int, 2> step_between(const ExemplarLattice& lattice, const ExemplarElement& from, const ExemplarElement& to, Point offset) {
+// From an element to its neighbour in columns and rows. In a tiled lattice a neighbour beyond the tile's edge has the index
+// of its copy inside: there the offset tells which step it is.
+std::array<int, 2> step_between(const ExemplarLattice& lattice, const ExemplarElement& from, const ExemplarElement& to,
+                                Point offset) {
     const std::array<int, 2> step{to.lattice[0] - from.lattice[0], to.lattice[1] - from.lattice[1]};
     if (std::find(lattice.steps.begin(), lattice.steps.end(), step) != lattice.steps.end()) return step;
     const auto nearer = [&](const std::array<int, 2>& a, const std::array<int, 2>& b) {
-        const auto off = [&](const std::array<int, 2>& s) { return norm(s[0] * lattice.basis[0] + s[1] * lattice.basis[1] - offset); };
+        const auto off = [&](const std::array<int, 2>& s) {
+            return norm(s[0] * lattice.basis[0] + s[1] * lattice.basis[1] - offset);
+        };
         return off(a) < off(b);
     };
     return *std::min_element(lattice.steps.begin(), lattice.steps.end(), nearer);
@@ -76,7 +79,8 @@ void fill_least_distances(GrowthGround& ground) {
         for (std::size_t b = 0; b < symbols; ++b) {
             const double seen = exemplar.min_distance[a][b];
             // A pair that was never seen near: as near as any.
-            ground.least[a][b] = std::isfinite(seen) ? std::min(seen, farthest_push * exemplar.mean_edge) : exemplar.shortest_edge;
+            ground.least[a][b] =
+                std::isfinite(seen) ? std::min(seen, farthest_push * exemplar.mean_edge) : exemplar.shortest_edge;
             ground.reach = std::max(ground.reach, ground.least[a][b]);
         }
         ground.least_of[a] = *std::min_element(ground.least[a].begin(), ground.least[a].end());

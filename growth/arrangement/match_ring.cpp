@@ -1,8 +1,10 @@
 // Ijiri et al. 2008, sections 5.2 and 5.3. Deviations:
-// - Distances count in mean edges l: the weights of eq. 2 have no unit, so that the drawing's scale would change their ratio.
+// - Distances count in mean edges l: the weights of eq. 2 have no unit, so that the drawing's scale would change their
+// ratio.
 // - By default a neighbour takes the nearest place of the ring and may stay without one (as Barla et al. 2006 do); the
 //   paper's cyclic orders without skips make false pairs as soon as one neighbour is missing or one too many.
-// - The paper starts a ring "at the boundary", which a seed between several fronts has not: here it starts after the largest gap.
+// - The paper starts a ring "at the boundary", which a seed between several fronts has not: here it starts after the largest
+// gap.
 #include "growth/arrangement/match_ring.h"
 
 #include <algorithm>
@@ -14,8 +16,8 @@ namespace rinceau {
 
 namespace {
 
-constexpr double farthest_pair = 0.75;   // in mean edges: farther places are not the neighbour's
-constexpr double outer_weight = 0.5;     // of the second ring against the first
+constexpr double farthest_pair = 0.75;  // in mean edges: farther places are not the neighbour's
+constexpr double outer_weight = 0.5;    // of the second ring against the first
 
 const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];

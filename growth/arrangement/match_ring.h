@@ -11,9 +11,9 @@ namespace rinceau {
 /// A neighbour of the place to be filled, as eq. 2 compares it.
 struct RingNeighbor {
     int node = -1;
-    Point offset;        ///< from the place
-    int symbol = -1;     ///< -1 = any
-    int sub_id = -1;     ///< of elements
+    Point offset;               ///< from the place
+    int symbol = -1;            ///< -1 = any
+    int sub_id = -1;            ///< of elements
     std::array<int, 2> step{};  ///< from the place, in columns and rows of a lattice
 };
 
@@ -38,8 +38,8 @@ class RingMatcher {
   public:
     RingMatcher(const GrowthGround& ground, const MatchWeights& weights) : ground_(ground), weights_(weights) {}
 
-    /// The best matching of the ring with the reference's that costs less than `limit`, on top of `base` (eq. 2, and eq. 4 in
-    /// mode rotate); `angle` is that of the ring in the other modes. Nothing found: reference -1.
+    /// The best matching of the ring with the reference's that costs less than `limit`, on top of `base` (eq. 2, and eq. 4
+    /// in mode rotate); `angle` is that of the ring in the other modes. Nothing found: reference -1.
     ReferenceMatch match(const TargetRing& ring, int reference, double angle, double base, double limit);
     /// The same by nearest places in mode rotate for a ring whose angle is nearly known.
     ReferenceMatch match_near(const TargetRing& ring, int reference, double angle, double base, double limit);

@@ -22,17 +22,19 @@ class NodeGrid {
     void move(int node, Point to);
     void remove(int node);
 
-    /// Calls visit(node, where) for every node at most `radius` from `center`, in an order that is the same whenever the same
-    /// was done to the grid before.
+    /// Calls visit(node, where) for every node at most `radius` from `center`, in an order that is the same whenever the
+    /// same was done to the grid before.
     template <class Visit>
     void visit(Point center, double radius, Visit&& visit_node) const {
         const CellIndex low = cell_of(center - Point{radius, radius});
         const CellIndex high = cell_of(center + Point{radius, radius});
         const double squared = radius * radius;
         // More cells than nodes: it is quicker to look at all of them.
-        if (static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) > 4.0 * static_cast<double>(entries_.size())) {
+        if (static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) >
+            4.0 * static_cast<double>(entries_.size())) {
             for (std::size_t i = 0; i < entries_.size(); ++i)
-                if (entries_[i].slot >= 0 && norm(entries_[i].at - center) <= squared) visit_node(static_cast<int>(i), entries_[i].at);
+                if (entries_[i].slot >= 0 && norm(entries_[i].at - center) <= squared)
+                    visit_node(static_cast<int>(i), entries_[i].at);
             return;
         }
         std::int64_t block_x = 0;
@@ -69,11 +71,14 @@ class NodeGrid {
     CellIndex cell_of(Point p) const {
         // Far out cells are shared: slower, not wrong.
         constexpr double far = 1e9;
-        const auto index = [&](double v) { return static_cast<std::int64_t>(std::floor(std::fmin(std::fmax(v / cell_, -far), far))); };
+        const auto index = [&](double v) {
+            return static_cast<std::int64_t>(std::floor(std::fmin(std::fmax(v / cell_, -far), far)));
+        };
         return {index(p.x), index(p.y)};
     }
     static std::uint64_t block_key(CellIndex c) {
-        return (static_cast<std::uint64_t>(c.x >> block_bits) << 32U) ^ (static_cast<std::uint64_t>(c.y >> block_bits) & 0xFFFFFFFFU);
+        return (static_cast<std::uint64_t>(c.x >> block_bits) << 32U) ^
+               (static_cast<std::uint64_t>(c.y >> block_bits) & 0xFFFFFFFFU);
     }
     static std::size_t slot_in(int block, CellIndex c) {
         constexpr std::int64_t mask = (1 << block_bits) - 1;
@@ -85,9 +90,9 @@ class NodeGrid {
     void hook(int node, int slot);
 
     double cell_;
-    IndexMap blocks_;            // block -> number
-    std::vector<int> heads_;     // first node of each cell, block after block
-    std::vector<Entry> entries_; // by node
+    IndexMap blocks_;             // block -> number
+    std::vector<int> heads_;      // first node of each cell, block after block
+    std::vector<Entry> entries_;  // by node
 };
 
 }  // namespace rinceau

@@ -27,8 +27,8 @@ void drop_links(ElementArrangement& arrangement, int node);
 /// The node nearest to `at` within `radius` that is not `except`; ties by number.
 std::optional<int> nearest_node(const ElementArrangement& arrangement, Point at, double radius, int except);
 
-/// Does an edge cross the segment between two points? Edges that end in one of the two nodes (-1: none) do not. Finds all edges
-/// that are not longer than 1.5 times `longest`.
+/// Does an edge cross the segment between two points? Edges that end in one of the two nodes (-1: none) do not. Finds all
+/// edges that are not longer than 1.5 times `longest`.
 bool crosses_edge(const ElementArrangement& arrangement, Point from, Point to, int from_node, int to_node, double longest);
 
 }  // namespace rinceau

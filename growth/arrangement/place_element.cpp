@@ -1,6 +1,7 @@
 // Ijiri et al. 2008, section 5.4 and figure 6. Deviations:
 // - The new element is moved to where its matched neighbours want it: errors then do not add up from row to row.
-// - r_short is a third of the edge where that is more than the paper's half of the exemplar's shortest, and two kinds that keep
+// - r_short is a third of the edge where that is more than the paper's half of the exemplar's shortest, and two kinds that
+// keep
 //   a distance in the exemplar keep most of it here: the paper's one length for all kinds lets large elements overlap.
 // - The ring is closed only where the exemplar's is, so that the cells of a square grid get no diagonals.
 // - On a lattice the index of a site says what stands there already; no distance needs to be judged.
@@ -17,10 +18,10 @@ namespace rinceau {
 
 namespace {
 
-constexpr double same_place = 0.35;   // of the edge: what is nearer to a place is what the place is meant for
-constexpr double crowded = 0.85;      // of the least distance of two kinds: nearer than this no seed is set
-constexpr double pulled = 0.5;        // of the edge: what is nearer to a place than this is pulled into it
-constexpr double too_long = 1.5;      // of the exemplar's: a longer edge gets a seed between (the paper's r_long)
+constexpr double same_place = 0.35;  // of the edge: what is nearer to a place is what the place is meant for
+constexpr double crowded = 0.85;     // of the least distance of two kinds: nearer than this no seed is set
+constexpr double pulled = 0.5;       // of the edge: what is nearer to a place than this is pulled into it
+constexpr double too_long = 1.5;     // of the exemplar's: a longer edge gets a seed between (the paper's r_long)
 
 ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];
@@ -29,8 +30,10 @@ const ReferenceRing& ring_of(const GrowthGround& ground, int reference) {
     return ground.rings[static_cast<std::size_t>(reference)];
 }
 
-bool may_join(const ElementArrangement& arrangement, const GrowthGround& ground, Point from, Point to, int from_node, int to_node) {
-    return !crosses_edge(arrangement, from, to, from_node, to_node, ground.exemplar.longest_edge) && !is_barred(ground, from, to);
+bool may_join(const ElementArrangement& arrangement, const GrowthGround& ground, Point from, Point to, int from_node,
+              int to_node) {
+    return !crosses_edge(arrangement, from, to, from_node, to_node, ground.exemplar.longest_edge) &&
+           !is_barred(ground, from, to);
 }
 
 // The link fills the place of the element's ring.
@@ -75,7 +78,8 @@ bool edge_stands_in_direction(const ElementArrangement& arrangement, int node, P
 }
 
 // Links the element's place with a node that stands already, unless that is in another place of the ring.
-void use_for_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int other, int place, bool with_target) {
+void use_for_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int other, int place,
+                   bool with_target) {
     const RingLink* link = link_to(arrangement, element, other);
     if (link != nullptr && link->place >= 0) return;
     if (link == nullptr) {
@@ -88,23 +92,26 @@ void use_for_place(ElementArrangement& arrangement, const GrowthGround& ground, 
 }
 
 // The nearest node that stands too close to the place for a seed of that kind.
-std::optional<int> crowding_node(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, int symbol, int except) {
+std::optional<int> crowding_node(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, int symbol,
+                                 int except) {
     std::optional<int> best;
     double best_distance = 0;
-    arrangement.grid.visit(at, crowded * std::max(ground.reach, ground.exemplar.shortest_edge), [&](int node, Point position) {
-        if (node == except) return;
-        const double distance = abs(position - at);
-        const int other = arrangement.nodes[static_cast<std::size_t>(node)].symbol;
-        if (distance >= crowded * least_distance(ground, symbol, other)) return;
-        if (best && (distance > best_distance || (distance == best_distance && node > *best))) return;
-        best = node;
-        best_distance = distance;
-    });
+    arrangement.grid.visit(at, crowded * std::max(ground.reach, ground.exemplar.shortest_edge),
+                           [&](int node, Point position) {
+                               if (node == except) return;
+                               const double distance = abs(position - at);
+                               const int other = arrangement.nodes[static_cast<std::size_t>(node)].symbol;
+                               if (distance >= crowded * least_distance(ground, symbol, other)) return;
+                               if (best && (distance > best_distance || (distance == best_distance && node > *best))) return;
+                               best = node;
+                               best_distance = distance;
+                           });
     return best;
 }
 
 // The element's place on a lattice: whatever stands at the site, or a seed.
-std::optional<int> complete_site(ElementArrangement& arrangement, const GrowthGround& ground, int element, int place, Point at) {
+std::optional<int> complete_site(ElementArrangement& arrangement, const GrowthGround& ground, int element, int place,
+                                 Point at) {
     const ArrangementNode& node = node_of(arrangement, element);
     const ReferenceRing& ring = ring_of(ground, node.reference);
     const std::array<int, 2> step = ring.steps[static_cast<std::size_t>(place)];
@@ -117,7 +124,8 @@ std::optional<int> complete_site(ElementArrangement& arrangement, const GrowthGr
         if (!is_element(node_of(arrangement, there))) return std::nullopt;
         const ReferenceRing& other = ring_of(ground, node_of(arrangement, there).reference);
         const auto back = std::find(other.steps.begin(), other.steps.end(), std::array<int, 2>{-step[0], -step[1]});
-        if (back != other.steps.end()) fill_place(arrangement, ground, there, element, static_cast<int>(back - other.steps.begin()));
+        if (back != other.steps.end())
+            fill_place(arrangement, ground, there, element, static_cast<int>(back - other.steps.begin()));
         return std::nullopt;
     }
     if (is_barred(ground, node.position, at)) return std::nullopt;
@@ -129,13 +137,15 @@ std::optional<int> complete_site(ElementArrangement& arrangement, const GrowthGr
 }
 
 // The element's place where no lattice is known: figure 6 of the paper.
-std::optional<int> complete_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int place, Point at) {
+std::optional<int> complete_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int place,
+                                  Point at) {
     const ArrangementNode& node = node_of(arrangement, element);
     const ReferenceRing& ring = ring_of(ground, node.reference);
     const auto k = static_cast<std::size_t>(place);
     const double length = ring.lengths[k];
     // Step b: something is there already.
-    const double same = std::min(std::max(0.5 * ground.exemplar.shortest_edge, same_place * length), 0.5 * ground.exemplar.mean_edge);
+    const double same =
+        std::min(std::max(0.5 * ground.exemplar.shortest_edge, same_place * length), 0.5 * ground.exemplar.mean_edge);
     if (const std::optional<int> there = nearest_node(arrangement, at, same, element)) {
         use_for_place(arrangement, ground, element, *there, place, true);
         return std::nullopt;
@@ -157,7 +167,8 @@ std::optional<int> complete_place(ElementArrangement& arrangement, const GrowthG
 }
 
 // A seed of any kind in the middle of a gap (figure 6e), if there is room.
-std::optional<int> fill_gap(ElementArrangement& arrangement, const GrowthGround& ground, int element, int before, int after) {
+std::optional<int> fill_gap(ElementArrangement& arrangement, const GrowthGround& ground, int element, int before,
+                            int after) {
     const Point center = node_of(arrangement, element).position;
     const Point a = node_of(arrangement, before).position - center;
     const Point b = node_of(arrangement, after).position - center;

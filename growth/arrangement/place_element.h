@@ -14,12 +14,13 @@ int seed_symbol(const GrowthGround& ground, int symbol);
 Point fitted_position(const ElementArrangement& arrangement, const GrowthGround& ground, int seed, const TargetRing& ring,
                       const ReferenceMatch& match);
 
-/// Puts the matched reference in the seed's place. `ring` is what the match was found for. Returns the new seeds; they are in
-/// no queue yet.
+/// Puts the matched reference in the seed's place. `ring` is what the match was found for. Returns the new seeds; they are
+/// in no queue yet.
 std::vector<int> place_element(ElementArrangement& arrangement, const GrowthGround& ground, int seed, const TargetRing& ring,
                                const ReferenceMatch& match, Point at);
 
-/// What is missing around an element: its unfilled places become links or new seeds, its ring is closed. Returns the new seeds.
+/// What is missing around an element: its unfilled places become links or new seeds, its ring is closed. Returns the new
+/// seeds.
 std::vector<int> complete_ring(ElementArrangement& arrangement, const GrowthGround& ground, int element);
 
 /// An edge between elements fills at both ends the free place that is nearest, if one is within half an edge.

@@ -1,5 +1,6 @@
-// Ijiri et al. 2008, eq. 5 and 6. The matrix is a graph Laplacian, the same for x and y and for all turns of the rings; nodes
-// that stand still are taken out of it (the paper uses Lagrange multipliers), so that it is positive definite and factored once.
+// Ijiri et al. 2008, eq. 5 and 6. The matrix is a graph Laplacian, the same for x and y and for all turns of the rings;
+// nodes that stand still are taken out of it (the paper uses Lagrange multipliers), so that it is positive definite and
+// factored once.
 #include "growth/arrangement/relax_all.h"
 
 #include <Eigen/Sparse>
@@ -95,7 +96,8 @@ Eigen::MatrixX2d right_sides(const ElementArrangement& arrangement, const std::v
         const int a = unknowns[static_cast<std::size_t>(term.from)];
         const int b = unknowns[static_cast<std::size_t>(term.to)];
         if (a >= 0) add(a, (b < 0 ? arrangement.nodes[static_cast<std::size_t>(term.to)].position : Point{}) - term.target);
-        if (b >= 0) add(b, (a < 0 ? arrangement.nodes[static_cast<std::size_t>(term.from)].position : Point{}) + term.target);
+        if (b >= 0)
+            add(b, (a < 0 ? arrangement.nodes[static_cast<std::size_t>(term.from)].position : Point{}) + term.target);
     }
     return sides;
 }
@@ -124,7 +126,8 @@ void relax_all(ElementArrangement& arrangement, const GrowthGround& ground, int 
         }
         const Eigen::MatrixX2d solution = factored.solve(right_sides(arrangement, terms, unknowns, count));
         for (std::size_t i = 0; i < unknowns.size(); ++i)
-            if (unknowns[i] >= 0) move_node(arrangement, static_cast<int>(i), {solution(unknowns[i], 0), solution(unknowns[i], 1)});
+            if (unknowns[i] >= 0)
+                move_node(arrangement, static_cast<int>(i), {solution(unknowns[i], 0), solution(unknowns[i], 1)});
     }
 }
 

@@ -1,6 +1,6 @@
-// Ijiri et al. 2008, eq. 5, by coordinate descent: the best place of one node is the mean of where its neighbours want it and
-// of where it sees itself from them, so that no step can raise the energy. Links without a place have no term: the paper takes
-// their present shape for their target, which keeps every fault as it is.
+// Ijiri et al. 2008, eq. 5, by coordinate descent: the best place of one node is the mean of where its neighbours want it
+// and of where it sees itself from them, so that no step can raise the energy. Links without a place have no term: the paper
+// takes their present shape for their target, which keeps every fault as it is.
 #include "growth/arrangement/relax_near.h"
 
 #include <algorithm>
@@ -39,7 +39,8 @@ double fitted_angle(const ElementArrangement& arrangement, const GrowthGround& g
     Complex sum;
     for (const RingLink& link : node.links) {
         if (link.place < 0) continue;
-        const Point offset = ground.rings[static_cast<std::size_t>(node.reference)].offsets[static_cast<std::size_t>(link.place)];
+        const Point offset =
+            ground.rings[static_cast<std::size_t>(node.reference)].offsets[static_cast<std::size_t>(link.place)];
         sum += conj(offset) * (node_of(arrangement, link.other).position - node.position);
     }
     return norm(sum) > 0 ? arg(sum) : node.angle;

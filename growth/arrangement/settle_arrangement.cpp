@@ -1,5 +1,5 @@
-// A curved flow has no room for equal distances: a global solve would spread the mismatch into density (a square grid about a
-// vortex: 22 % too dense, some distances halved), so that there only the neighbourhood of what is new is relaxed.
+// A curved flow has no room for equal distances: a global solve would spread the mismatch into density (a square grid about
+// a vortex: 22 % too dense, some distances halved), so that there only the neighbourhood of what is new is relaxed.
 #include "growth/arrangement/settle_arrangement.h"
 
 #include "growth/arrangement/node_links.h"
@@ -23,9 +23,11 @@ std::vector<int> living_nodes(const ElementArrangement& arrangement) {
 }
 
 // The solve knows no lines: who was led over one goes back.
-void return_from_beyond_lines(ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<Point>& before) {
+void return_from_beyond_lines(ElementArrangement& arrangement, const GrowthGround& ground,
+                              const std::vector<Point>& before) {
     for (std::size_t i = 0; i < before.size(); ++i)
-        if (!arrangement.nodes[i].dead && arrangement.nodes[i].position != before[i] && is_barred(ground, before[i], arrangement.nodes[i].position))
+        if (!arrangement.nodes[i].dead && arrangement.nodes[i].position != before[i] &&
+            is_barred(ground, before[i], arrangement.nodes[i].position))
             move_node(arrangement, static_cast<int>(i), before[i]);
 }
 

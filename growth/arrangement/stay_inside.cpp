@@ -1,5 +1,5 @@
-// The paper holds elements at a boundary where they were born, which keeps their faults; here relaxation moves all, and those
-// that come over a line are moved back by what their outline reaches over it.
+// The paper holds elements at a boundary where they were born, which keeps their faults; here relaxation moves all, and
+// those that come over a line are moved back by what their outline reaches over it.
 #include "growth/arrangement/stay_inside.h"
 
 #include <algorithm>
@@ -40,7 +40,8 @@ Point pushed_inside(const GrowthGround& ground, int reference, double angle, Poi
     const double margin = clearance * ground.exemplar.mean_edge;
     for (int round = 0; round < push_rounds; ++round) {
         const bool outside = !boundary->allows(at);
-        const std::optional<Point> line = boundary->nearest(at, element.radius + margin + (outside ? ground.exemplar.mean_edge : 0));
+        const std::optional<Point> line =
+            boundary->nearest(at, element.radius + margin + (outside ? ground.exemplar.mean_edge : 0));
         if (!line) return at;
         const double distance = abs(at - *line);
         if (!(distance > 0)) return at;

@@ -7,7 +7,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "growth/distance_transform.h"
+#include "growth/aggregate/distance_transform.h"
 
 namespace rinceau {
 namespace {
@@ -108,9 +108,9 @@ std::vector<double> depths(const Mask& mask) {
         return (cell / width + 1) * static_cast<std::size_t>(columns) + cell % width + 1;
     };
     for (std::size_t cell = 0; cell < mask.inside.size(); ++cell) outside[framed(cell)] = mask.inside[cell] != 0 ? 0 : 1;
-    const std::vector<double> squared = squared_distances(outside, columns, rows);
+    const std::vector<float> distance = distances_to_marked({columns, rows, std::move(outside)}, {mask.cell, mask.cell});
     std::vector<double> result(mask.inside.size());
-    for (std::size_t cell = 0; cell < result.size(); ++cell) result[cell] = mask.cell * std::sqrt(squared[framed(cell)]);
+    for (std::size_t cell = 0; cell < result.size(); ++cell) result[cell] = static_cast<double>(distance[framed(cell)]);
     return result;
 }
 

@@ -35,10 +35,11 @@ const ExemplarElement& reference_of(const Exemplar& exemplar, const ArrangedElem
 PointPattern exemplar_pattern(const Exemplar& exemplar) {
     std::vector<Point> positions;
     std::vector<int> symbols;
-    for (const ExemplarElement& element : exemplar.elements) {
-        positions.push_back(element.position);
-        symbols.push_back(element.symbol);
+    for (std::size_t i = 0; i < exemplar.originals; ++i) {
+        positions.push_back(exemplar.elements[i].position);
+        symbols.push_back(exemplar.elements[i].symbol);
     }
+    if (exemplar.tile) return tiled_pattern(std::move(positions), std::move(symbols), *exemplar.tile);
     return pattern_of(std::move(positions), std::move(symbols), exemplar.mean_edge);
 }
 

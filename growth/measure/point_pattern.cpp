@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "growth/distance_transform.h"
+#include "growth/aggregate/distance_transform.h"
 
 namespace rinceau {
 namespace {
@@ -66,9 +66,9 @@ Mask window_about(const std::vector<Point>& points, double spacing) {
     Mask mask = empty_mask(box, static_cast<std::size_t>(std::min(wanted, static_cast<double>(most_cells))));
     for (const Point p : points)
         if (const auto cell = cell_at(mask, p); cell >= 0) mask.inside[static_cast<std::size_t>(cell)] = 1;
-    const double cells = reach / mask.cell;
-    const std::vector<double> squared = squared_distances(mask.inside, mask.columns, mask.rows);
-    for (std::size_t cell = 0; cell < squared.size(); ++cell) mask.inside[cell] = squared[cell] <= cells * cells ? 1 : 0;
+    const std::vector<float> away = distances_to_marked({mask.columns, mask.rows, mask.inside}, {mask.cell, mask.cell});
+    for (std::size_t cell = 0; cell < away.size(); ++cell)
+        mask.inside[cell] = static_cast<double>(away[cell]) <= reach ? 1 : 0;
     mask = without_holes(std::move(mask));
     const std::vector<double> depth = depths(mask);
     // The boundary lies half a cell before the first cell outside.

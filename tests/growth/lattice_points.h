@@ -30,8 +30,9 @@ inline Region box_outline(double wide, double high) {
 /// Square grid, checkerboard, hexagonal, brick bond, honeycomb, staggered diagonal rows.
 inline std::vector<LatticeKind> lattice_kinds() {
     constexpr int rows = 8;
-    std::vector<LatticeKind> kinds{{"square", 4, {"A"}, {}},    {"checkerboard", 4, {"A", "B"}, {}}, {"hexagonal", 6, {"A"}, {}},
-                                   {"brick bond", 6, {"A"}, {}}, {"honeycomb", 3, {"A"}, {}},         {"diagonal", 4, {"A"}, {}}};
+    std::vector<LatticeKind> kinds{{"square", 4, {"A"}, {}},    {"checkerboard", 4, {"A", "B"}, {}},
+                                   {"hexagonal", 6, {"A"}, {}}, {"brick bond", 6, {"A"}, {}},
+                                   {"honeycomb", 3, {"A"}, {}}, {"diagonal", 4, {"A"}, {}}};
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < rows; ++column) {
             const double x = 10 * column;
@@ -39,7 +40,7 @@ inline std::vector<LatticeKind> lattice_kinds() {
             kinds[0].points.push_back({{x, 10.0 * row}, 0, disc_outline(3)});
             kinds[1].points.push_back({{x, 10.0 * row}, (row + column) % 2, disc_outline(3)});
             kinds[2].points.push_back({{x + shift, 5 * std::sqrt(3.0) * row}, 0, disc_outline(4)});
-            kinds[3].points.push_back({{2 * (x + shift), 10.0 * row}, 0, box_outline(19, 9)});
+            kinds[3].points.push_back({{3 * (x + shift), 10.0 * row}, 0, box_outline(29, 9)});
             const double side = 10 / std::sqrt(3.0);
             kinds[4].points.push_back({{x + shift, 1.5 * side * row}, 0, disc_outline(2)});
             kinds[4].points.push_back({{x + shift, (1.5 * row + 1) * side}, 0, disc_outline(2)});
@@ -59,7 +60,8 @@ inline std::vector<ExemplarPoint> irregular_points(std::size_t count) {
         const int symbol = points.size() % 2 == 0 ? 0 : 1;
         const double radius = symbol == 0 ? 5 : 2.5;
         bool free = true;
-        for (const ExemplarPoint& other : points) free &= abs(other.position - at) > radius + (other.symbol == 0 ? 5 : 2.5) + 1;
+        for (const ExemplarPoint& other : points)
+            free &= abs(other.position - at) > radius + (other.symbol == 0 ? 5 : 2.5) + 1;
         if (free) points.push_back({at, symbol, disc_outline(radius)});
     }
     return points;
