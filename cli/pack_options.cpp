@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 
-#include "cli/number_list.h"
+#include "cli/named_values.h"
 #include "cli/number_range.h"
 #include "geometry/angle.h"
 
@@ -15,6 +14,12 @@ namespace {
 constexpr int widest_png = 32767;  // librsvg's and cairo's limit
 
 [[noreturn]] void fail(const std::string& option, const std::string& message) { throw CLI::ValidationError(option, message); }
+
+std::vector<double> parse_numbers(const std::string& option, const std::string& expected, const std::string& text) {
+    std::vector<double> numbers;
+    for (const std::string& part : parse_list(option, text)) numbers.push_back(parse_number(option, expected, part));
+    return numbers;
+}
 
 Point parse_size(const std::string& text) {
     const std::string expected = "a width and a height above 0, W,H";
@@ -82,7 +87,10 @@ void add_shape_options(CLI::App& verb, PackVerbOptions& options) {
         ->delimiter(',')
         ->type_name("FILE,..");
     verb.add_option_function<std::string>(
-            "--shares", [&options](const std::string& text) { options.shares = parse_named_numbers("--shares", text); },
+            "--shares",
+            [&options](const std::string& text) {
+                options.shares = parse_named_values({.option = "--shares", .high = 1e6}, text);
+            },
             "How many of each shape, in proportion; 1 for those that are not named")
         ->type_name("SYMBOL=N,..");
     verb.add_option("--share-tolerance", options.fill.share_tolerance,
