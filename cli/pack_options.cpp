@@ -83,9 +83,9 @@ void add_shape_options(CLI::App& verb, PackVerbOptions& options) {
                      {{"keep", true}, {"fill", false}}, "keep|fill");
     verb.add_option("--regions", options.drawn_regions,
                     "Drawings (.svg) of the areas that shapes keep for themselves, a closed outline for each shape in the order "
-                    "of the shapes, drawn over them: one for all of SHAPES, or one for each")
+                    "of the shapes, drawn over them: one for all of SHAPES, or one for each; circle: the circle about each shape")
         ->delimiter(',')
-        ->type_name("FILE,..");
+        ->type_name("FILE,..|circle");
     verb.add_option_function<std::string>(
             "--shares",
             [&options](const std::string& text) {
@@ -189,6 +189,10 @@ bool from_meshes(const PackVerbOptions& options) {
                                [](const std::string& name) { return format_of(name, FileFormat::svg) == FileFormat::obj; });
 }
 
+bool keeps_circles(const PackVerbOptions& options) {
+    return options.drawn_regions == std::vector<std::string>{"circle"};
+}
+
 void add_pack_options(CLI::App& verb, PackVerbOptions& options) {
     verb.add_option("SHAPES", options.shapes,
                     "A drawing (.svg, .svgz, or - for standard input), of which each figure is a shape; several drawings: each "
@@ -224,7 +228,7 @@ void expect_pack_options(const PackVerbOptions& options) {
     const auto is_mesh = [](const std::string& name) { return format_of(name, FileFormat::svg) == FileFormat::obj; };
     if (!meshes && std::ranges::any_of(options.shapes, is_mesh)) fail("SHAPES", "expected drawings or meshes, found both");
     if (meshes && !options.meshes.empty()) fail("--meshes", "is for shapes from drawings only");
-    if (meshes && !options.drawn_regions.empty()) fail("--regions", "is for shapes from drawings only");
+    if (meshes && !options.drawn_regions.empty() && !keeps_circles(options)) fail("--regions", "is for shapes from drawings only");
     if (meshes && !options.sulci.empty()) fail("--sulci", "is for shapes from drawings only");
     if (!options.sulci.empty() && options.height_map.empty() && options.shaded.empty())
         fail("--sulci", "is for --height-map and --shaded only");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -138,12 +139,28 @@ Similarity upright(const ShapePlace& shape) { return {shape.drawn().linear, {}, 
 /// From the plane of the file to upright(): a move.
 Similarity to_upright(const ShapePlace& shape) { return translate(-shape.drawn().translation); }
 
+/// The circle about the outline's box that holds it (section 4.1, figure 9): what earlier methods keep free.
+Region circle_about(const Region& outline) {
+    constexpr int corners = 64;
+    const Point middle = center(bounds(outline));
+    double radius = 0;
+    for (const std::vector<Point>& ring : outline)
+        for (const Point p : ring) radius = std::max(radius, abs(p - middle));
+    std::vector<Point> circle;
+    for (int i = 0; i < corners; ++i) circle.push_back(middle + polar(radius / std::cos(pi / corners), two_pi * i / corners));
+    return {circle};
+}
+
 PackShape pack_shape(const ShapePlace& place, const Region* drawn, const Region* sulcus, const PackVerbOptions& options) {
     PackShape shape;
     const Region outline = moved(upright(place), place.shape().outline);
-    shape.region = drawn != nullptr
-                       ? drawn_exclusive_region(moved(to_upright(place), *drawn), options.exclusive, place.label())
-                       : exclusive_region(outline, options.exclusive, place.label());
+    if (drawn != nullptr) {
+        shape.region = drawn_exclusive_region(moved(to_upright(place), *drawn), options.exclusive, place.label());
+    } else if (keeps_circles(options)) {
+        shape.region = drawn_exclusive_region(circle_about(outline), options.exclusive, place.label());
+    } else {
+        shape.region = exclusive_region(outline, options.exclusive, place.label());
+    }
     const Similarity to_center = translate(-shape.region.center);
     shape.to_region = to_center * upright(place);
     shape.outline = moved(to_center, outline);
@@ -225,7 +242,7 @@ PackShapes read_pack_shapes(const PackVerbOptions& options) {
         shapes.warnings.insert(shapes.warnings.end(), file.input.warnings.begin(), file.input.warnings.end());
     const std::vector<ShapePlace> places = all_shapes(files);
     std::vector<Region> drawn, sulci;
-    if (!options.drawn_regions.empty()) drawn = drawn_over(options.drawn_regions, "--regions", places);
+    if (!options.drawn_regions.empty() && !keeps_circles(options)) drawn = drawn_over(options.drawn_regions, "--regions", places);
     if (!options.sulci.empty()) sulci = drawn_over(options.sulci, "--sulci", places);
     for (std::size_t i = 0; i < places.size(); ++i)
         shapes.shapes.push_back(
