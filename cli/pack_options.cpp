@@ -207,13 +207,13 @@ void add_pack_options(CLI::App& verb, PackVerbOptions& options) {
     add_placing_options(verb, options);
     add_method_options(verb, options);
     verb.add_option("--meshes", options.meshes,
-                    "A mesh (.obj) for each shape, which stands in its place in .obj and .glb: as large as fits the shape's box")
+                    "A mesh (.obj) for each shape, which stands in its place in .obj, .glb and .png: as large as fits the shape's box")
         ->delimiter(',')
         ->type_name("FILE,..");
     add_choice<UpAxis>(verb, "--up", options.up, "Which axis of meshes points up: y (default) or z", {{"y", UpAxis::y}, {"z", UpAxis::z}},
                        "y|z");
     add_relief_options(verb, options);
-    verb.add_option("--width", options.width, "Width of pictures in pixels; without it, that of the drawing, and 1024 of a relief")
+    verb.add_option("--width", options.width, "Width of pictures in pixels; without it, that of the drawing, 900 for meshes, 1024 for a relief")
         ->check(CLI::Range(1, widest_png))
         ->type_name("W");
     verb.add_option("--report", options.report, "Where to write what was reached (.json, as docs/pack_report.schema.json says)")

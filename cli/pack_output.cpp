@@ -6,6 +6,7 @@
 #include "files/output_file.h"
 #include "growth/aggregate/height_picture_png.h"
 #include "growth/mesh/mesh_obj_write.h"
+#include "growth/mesh/mesh_picture.h"
 #include "growth/mesh/mesh_silhouette.h"
 #include "scene/svg_raster.h"
 
@@ -79,7 +80,13 @@ MeshAssembly assembly_of(const PackShapes& shapes, const std::vector<PlacedRegio
 
 void write_aggregate(const PackShapes& shapes, const std::vector<PlacedRegion>& placed, const PackDomain& domain,
                      const PackVerbOptions& options) {
-    switch (format_of(options.output, FileFormat::svg)) {
+    const FileFormat format = format_of(options.output, FileFormat::svg);
+    if (format == FileFormat::png && !shapes.meshes.empty()) {
+        MeshView view;
+        if (options.width > 0) view.width = options.width;
+        return write_output(options.output, picture_to_png(mesh_picture(assembly_of(shapes, placed, options.up), options.up, view)));
+    }
+    switch (format) {
         case FileFormat::obj: {
             OutputFile file(options.output);
             write_obj(assembly_of(shapes, placed, options.up), [&](std::string_view piece) { file.write(piece); });
