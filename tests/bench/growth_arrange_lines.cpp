@@ -5,6 +5,7 @@
 
 #include "growth/arrangement/boundary.h"
 #include "growth/measure/measure_arrangement.h"
+#include "growth/measure/outline_overlaps.h"
 #include "growth_bench.h"
 
 namespace rinceau::test {
@@ -28,7 +29,12 @@ Grown grown(const Exemplar& exemplar, std::size_t count, const ArrangeOptions& o
 void overlap_lines(GrowthLines& lines, const Exemplar& exemplar, const ArrangementMeasures& measures) {
     const auto overlaps = static_cast<double>(measures.overlaps), near = static_cast<double>(measures.too_near);
     if (exemplar.outlines_overlap) {
-        lines.say("overlaps (the exemplar has some)", overlaps);
+        std::vector<PlacedOutline> outlines;
+        for (const ExemplarElement& element : exemplar.elements)
+            outlines.push_back({&element.outline, translate(element.position)});
+        const auto pairs = static_cast<double>(overlapping_pairs(outlines, 1e-3).size());
+        lines.at_most("overlaps an element, bar: the exemplar's", overlaps / static_cast<double>(measures.elements),
+                      pairs / static_cast<double>(outlines.size()));
     } else {
         lines.at_most("overlaps", overlaps, 0);
     }
