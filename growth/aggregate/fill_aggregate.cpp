@@ -17,7 +17,7 @@ namespace {
 enum class FillStage : std::uint8_t { sparse, filling, shaking, done };
 
 // Cancellations in a row that end a stage.
-constexpr std::size_t sparse_stop = 100, naive_stop = 10'000, gaps_stop = 200, least_settle_stop = 200;
+constexpr std::size_t sparse_stop = 100, naive_stop = 10'000, gaps_stop = 200, least_settle_stop = 1'000;
 
 }  // namespace
 

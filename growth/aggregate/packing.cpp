@@ -8,8 +8,8 @@
 namespace rinceau {
 namespace {
 
-/// Cells across the largest inner disc of the least shape; twice as wide ones cost a twentieth of what is filled.
-constexpr double cells_a_disc = 4;
+/// Cells across the largest inner disc of the least shape; half as many cost some hundredths of what is filled.
+constexpr double cells_a_disc = 3;
 constexpr std::size_t max_field_cells = 16'000'000;
 /// Gaps that hold less than this part of the least shape's largest disc are left alone.
 constexpr double least_gap_share = 0.25;

@@ -31,10 +31,10 @@ Push push_at(const DistanceField& field, const ExclusiveRegion& region, const Si
     int pushed = 0;
     for (const InnerDisc& disc : region.discs) {
         const Point arm = pose.linear * disc.center;
-        const auto [value, uphill] = field.slope_at(pose.translation + arm);
-        const double lack = disc.radius * scale + clearance + target_cells * field.step() - value;
+        const Point at = pose.translation + arm;
+        const double lack = disc.radius * scale + clearance + target_cells * field.step() - field.at(at);
         if (lack <= 0) continue;
-        const Point force = lack * uphill;
+        const Point force = lack * field.uphill(at);
         moves += force;
         torque += cross(arm, force);
         inertia += norm(arm);
