@@ -1,6 +1,6 @@
 // The paper computes the field anew for every round on the graphics processor. Here a region that is added changes only the
-// cells that are nearer to it than to everything before, and these lie around it without a gap: a window is made larger until
-// nothing changes along its sides.
+// cells that are nearer to it than to everything before, and these lie around it without a gap: a window is made larger
+// until nothing changes along its sides.
 
 #include "growth/aggregate/distance_field.h"
 
@@ -82,7 +82,8 @@ CellMask DistanceField::mask_of(const Region& region, const CellWindow& window) 
         };
         const auto begin = mask.marked.begin() + static_cast<std::ptrdiff_t>(row) * window.columns;
         for (std::size_t k = 0; k + 1 < line.size(); k += 2)
-            std::fill(begin + first_at(line[k]), begin + std::max(first_at(line[k]), first_at(line[k + 1])), std::uint8_t{1});
+            std::fill(begin + first_at(line[k]), begin + std::max(first_at(line[k]), first_at(line[k + 1])),
+                      std::uint8_t{1});
     }
     if (std::ranges::find(mask.marked, 1) == mask.marked.end()) mark_corners(region, window, mask);
     return mask;
@@ -95,11 +96,13 @@ void DistanceField::mark_corners(const Region& region, const CellWindow& window,
             const int column = static_cast<int>(std::floor((p.x - low_.x) / cell_.x)) - window.column;
             const int row = static_cast<int>(std::floor((p.y - low_.y) / cell_.y)) - window.row;
             if (column < 0 || row < 0 || column >= window.columns || row >= window.rows) continue;
-            mask.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column)] = 1;
+            mask.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) +
+                        static_cast<std::size_t>(column)] = 1;
         }
 }
 
-/// To the outline, which runs half a cell from the middles of the cells beside it: positive outside the mask, negative in it.
+/// To the outline, which runs half a cell from the middles of the cells beside it: positive outside the mask, negative in
+/// it.
 std::vector<float> DistanceField::signed_distances(const CellMask& mask, bool wrapped) const {
     std::vector<float> outside = distances_to_marked(mask, cell_, wrapped);
     CellMask free = mask;
@@ -125,7 +128,8 @@ void DistanceField::mark_inside(const CellWindow& inner, const CellWindow& windo
     const std::vector<float> depths = distances_to_marked(free, cell_);
     for (int row = 0, i = 0; row < inner.rows; ++row)
         for (int column = 0; column < inner.columns; ++column, ++i)
-            if (!free.marked[static_cast<std::size_t>(i)]) distances[in_window(column, row)] = half - depths[static_cast<std::size_t>(i)];
+            if (!free.marked[static_cast<std::size_t>(i)])
+                distances[in_window(column, row)] = half - depths[static_cast<std::size_t>(i)];
 }
 
 void DistanceField::add_all(const std::vector<Region>& regions) {
@@ -135,7 +139,8 @@ void DistanceField::add_all(const std::vector<Region>& regions) {
         const CellMask one = mask_of(region, window);
         for (int row = 0; row < window.rows; ++row)
             for (int column = 0; column < window.columns; ++column)
-                if (one.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column)])
+                if (one.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) +
+                               static_cast<std::size_t>(column)])
                     mask.marked[folded(window.column + column, window.row + row)] = 1;
     }
     const std::vector<float> distances = signed_distances(mask, tiled_);
@@ -149,7 +154,8 @@ std::size_t DistanceField::folded(int column, int row) const {
 CellWindow DistanceField::window_about(const Box& box, double margin) const {
     const auto first = [](double x) { return static_cast<int>(std::floor(x)) - 1; };
     const int column = first((box.low.x - margin - low_.x) / cell_.x), row = first((box.low.y - margin - low_.y) / cell_.y);
-    const int end_column = first((box.high.x + margin - low_.x) / cell_.x) + 3, end_row = first((box.high.y + margin - low_.y) / cell_.y) + 3;
+    const int end_column = first((box.high.x + margin - low_.x) / cell_.x) + 3,
+              end_row = first((box.high.y + margin - low_.y) / cell_.y) + 3;
     return clipped({column, row, end_column - column, end_row - row});
 }
 
@@ -174,7 +180,8 @@ CellWindow DistanceField::clipped(CellWindow window) const {
 /// Does a cell along the sides of the window, other than the grid's own, come nearer to the region than it was to all else?
 bool DistanceField::reaches_beyond(const CellWindow& window, const std::vector<float>& distances) const {
     const auto nearer = [&](int column, int row) {
-        const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column);
+        const std::size_t i =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column);
         return distances[i] < values_[folded(window.column + column, window.row + row)];
     };
     const bool left = tiled_ ? window.columns < columns_ : window.column > 0;
@@ -214,7 +221,8 @@ CellWindow DistanceField::add(const Region& region) {
 
 DistanceField::Patch DistanceField::patch_at(Point p) const {
     const double x = (p.x - low_.x) / cell_.x - 0.5, y = (p.y - low_.y) / cell_.y - 0.5;
-    // Between four cells of the grid, as nearly always; or else between the nearest four, or of a tile those around its side.
+    // Between four cells of the grid, as nearly always; or else between the nearest four, or of a tile those around its
+    // side.
     double beyond = 0;
     int column = 0, row = 0;
     if (x >= 0 && y >= 0 && x < columns_ - 1 && y < rows_ - 1) {

@@ -1,6 +1,6 @@
 #pragma once
-// How far every place of a domain is from what is placed and from the border (Sakurai & Miyata 2014, section 4.2), kept up to
-// date around each new region.
+// How far every place of a domain is from what is placed and from the border (Sakurai & Miyata 2014, section 4.2), kept up
+// to date around each new region.
 
 #include <cstddef>
 #include <optional>
@@ -29,7 +29,8 @@ class DistanceField {
     void clear();
     /// Adds many regions at once: time linear in the cells.
     void add_all(const std::vector<Region>& regions);
-    /// Adds one region: time linear in the cells that come nearer to it than to all else. Says where values may have changed.
+    /// Adds one region: time linear in the cells that come nearer to it than to all else. Says where values may have
+    /// changed.
     CellWindow add(const Region& region);
 
     /// Between the middles of cells, bilinear; beyond the border it falls on.
@@ -51,8 +52,8 @@ class DistanceField {
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
-    /// A point between the middles of four cells: values below and above it, how they rise to the right over one cell, and how
-    /// far up from the lower to the higher pair it stands.
+    /// A point between the middles of four cells: values below and above it, how they rise to the right over one cell, and
+    /// how far up from the lower to the higher pair it stands.
     struct Patch {
         double low, high, low_rise, high_rise, v;
         double beyond;  ///< how far the point is from the grid
@@ -64,7 +65,8 @@ class DistanceField {
     CellWindow clipped(CellWindow window) const;
     bool reaches_beyond(const CellWindow& window, const std::vector<float>& distances) const;
     std::vector<float> signed_distances(const CellMask& mask, bool wrapped) const;
-    void mark_inside(const CellWindow& inner, const CellWindow& window, const CellMask& mask, std::vector<float>& distances) const;
+    void mark_inside(const CellWindow& inner, const CellWindow& window, const CellMask& mask,
+                     std::vector<float>& distances) const;
     std::vector<float> empty_domain(const PackDomain& domain) const;
     std::size_t folded(int column, int row) const;
 
@@ -72,7 +74,7 @@ class DistanceField {
     CellSize cell_;
     int columns_ = 1, rows_ = 1;
     bool tiled_ = false;
-    std::vector<float> empty_;   ///< of the domain with nothing in it
+    std::vector<float> empty_;  ///< of the domain with nothing in it
     std::vector<float> values_;
 };
 

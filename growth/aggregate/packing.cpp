@@ -50,11 +50,14 @@ Packing::Packing(std::vector<ExclusiveRegion> regions, PackDomain domain, Aggreg
     }
 }
 
-double Packing::density(Point at) const { return options_.density ? std::clamp(density_at(*options_.density, at), 0.0, 1.0) : 1; }
+double Packing::density(Point at) const {
+    return options_.density ? std::clamp(density_at(*options_.density, at), 0.0, 1.0) : 1;
+}
 
 double Packing::largest_scale(Point at) const { return std::lerp(options_.min_scale, options_.max_scale, density(at)); }
 
-/// A shape of area A and perimeter P that keeps half of g to itself takes A + P g / 2 + pi g^2 / 4; this is to be A / density.
+/// A shape of area A and perimeter P that keeps half of g to itself takes A + P g / 2 + pi g^2 / 4; this is to be A /
+/// density.
 double Packing::clearance_for(double density) const {
     if (density >= 1) return 0;
     const double scale = 0.5 * (options_.min_scale + std::lerp(options_.min_scale, options_.max_scale, density));
