@@ -142,8 +142,8 @@ int run_arrange(const ArrangeSettings& settings) {
     JitterOptions jitter = settings.jitter;
     jitter.seed = settings.growth.seed;
     const std::vector<ArrangedElement> elements = arranged_elements(grown.arrangement);
-    const std::vector<PlacedFigure> placed = jittered(drawing, placed_figures(drawing, elements),
-                                                      jitter, ground.around.boundary.get());
+    const std::vector<PlacedFigure> placed =
+        jittered(drawing, placed_figures(drawing, elements), jitter, ground.around.boundary.get());
     const std::vector<Region> outlines = outlines_of(drawing, placed);
     constexpr double margin = 0.25;  // of a mean edge: half of the usual distance to a neighbour's outline
     const Box canvas = ground.canvas.value_or(rinceau::grown(box_of(outlines), margin * exemplar.mean_edge));

@@ -15,6 +15,16 @@ Repaint combined(const Repaint& own, const Repaint& wanted) {
     return {wanted.fill ? wanted.fill : own.fill, wanted.stroke ? wanted.stroke : own.stroke};
 }
 
+/// The figure's parts in the scene, in the colours that they have there.
+std::vector<Placement> parts_of(const Figure& figure, const PlacedFigure& placed) {
+    std::vector<Placement> parts = figure.parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].pose = placed.pose * parts[i].pose;
+        if (i < placed.repaints.size()) parts[i].repaint = combined(parts[i].repaint, placed.repaints[i]);
+    }
+    return parts;
+}
+
 void append_color(ModuleTemplates& string, const char* command, const std::optional<Color>& color) {
     if (!color) return;
     string.push_back({command, {}, {}});
@@ -37,37 +47,29 @@ void append_part(ModuleTemplates& string, const Grammar& grammar, const Placemen
     string.push_back({"]", {}, {}});
 }
 
-/// A part of the placed figure, in the scene.
-Placement placed_part(const Figure& figure, const PlacedFigure& placed, std::size_t index) {
-    Placement part = figure.parts[index];
-    part.pose = placed.pose * part.pose;
-    if (!placed.repaints.empty()) part.repaint = combined(part.repaint, placed.repaints[index]);
-    return part;
-}
-
 /// Written in place: its parts, or the symbol of the production that draws them.
 class PlacedFigureWriter {
   public:
     PlacedFigureWriter(const FiguredDrawing& drawing, const Box& canvas, Grammar& grammar)
         : drawing_(drawing), size_(std::max(diagonal(canvas), 1e-300)), grammar_(grammar) {}
 
+    /// Parts in colours of their own stand in the axiom one by one: productions are for what is drawn alike again and again.
     void write(const PlacedFigure& placed) {
         const Figure& figure = drawing_.figures[static_cast<std::size_t>(placed.figure)];
-        // A figure in colours of its own is no longer what a production draws.
         if (figure.parts.size() == 1 || !placed.repaints.empty()) {
-            for (std::size_t i = 0; i < figure.parts.size(); ++i)
-                append_part(grammar_.axiom, drawing_.grammar, placed_part(figure, placed, i), size_);
+            for (const Placement& part : parts_of(figure, placed)) append_part(grammar_.axiom, drawing_.grammar, part, size_);
             return;
         }
         grammar_.axiom.push_back({"[", {}, {}});
         append(grammar_.axiom, turtle_modules(placed.pose, size_, exact_digits));
-        grammar_.axiom.push_back({production_of(placed.figure, figure), {}, {}});
+        grammar_.axiom.push_back({production_of(placed.figure), {}, {}});
         grammar_.axiom.push_back({"]", {}, {}});
     }
 
   private:
-    std::string production_of(int index, const Figure& figure) {
+    std::string production_of(int index) {
         if (const auto known = names_.find(index); known != names_.end()) return known->second;
+        const Figure& figure = drawing_.figures[static_cast<std::size_t>(index)];
         std::string name;
         for (const char c : figure.symbol) name += c == '+' || c == '.' ? '_' : c;
         if (name.size() > longest_name) name = "Figure" + std::to_string(index + 1);
@@ -102,15 +104,12 @@ void keep_used(Grammar& grammar) {
 
 std::vector<Placement> placements_of(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed) {
     std::vector<Placement> placements;
-    for (const PlacedFigure& one : placed) {
-        const Figure& figure = drawing.figures[static_cast<std::size_t>(one.figure)];
-        for (std::size_t i = 0; i < figure.parts.size(); ++i) {
-            Placement part = placed_part(figure, one, i);
+    for (const PlacedFigure& figure : placed)
+        for (Placement& part : parts_of(drawing.figures[static_cast<std::size_t>(figure.figure)], figure)) {
             part.layer = 0;
             part.order = static_cast<int>(placements.size());
             placements.push_back(std::move(part));
         }
-    }
     return placements;
 }
 

@@ -39,7 +39,7 @@ struct ExemplarLattice {
 };
 
 struct ExemplarSymbol {
-    std::string name;    ///< of the figure, or of the largest of several that count as one kind
+    std::string name;    ///< of the kind: that of its most frequent figure
     double share = 0;    ///< of all elements
     double density = 0;  ///< elements per unit of area
 };

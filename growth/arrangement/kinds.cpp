@@ -177,10 +177,19 @@ std::vector<int> figure_families(const std::vector<FigureLook>& looks, std::size
     return families;
 }
 
+/// The figure that most of them are copies of, the largest of several.
+int name_giver(const FiguredDrawing& drawing, const std::vector<int>& members) {
+    std::map<int, std::pair<int, double>> copies;  // figure -> number, radius
+    for (const int i : members) {
+        auto& [count, radius] = copies[drawing.instances[static_cast<std::size_t>(i)].figure];
+        ++count;
+        radius = std::max(radius, radius_of(drawing, i));
+    }
+    return std::ranges::max_element(copies, {}, [](const auto& figure) { return figure.second; })->first;
+}
+
 void add_kind(const FiguredDrawing& drawing, const std::vector<int>& members, ElementKinds& kinds) {
-    const auto largest = std::ranges::max_element(members, {}, [&](int i) { return radius_of(drawing, i); });
-    const std::string& symbol =
-        drawing.figures[static_cast<std::size_t>(drawing.instances[static_cast<std::size_t>(*largest)].figure)].symbol;
+    const std::string& symbol = drawing.figures[static_cast<std::size_t>(name_giver(drawing, members))].symbol;
     std::string name = symbol;
     for (int copy = 2; std::ranges::count(kinds.names, name) > 0; ++copy) name = symbol + "." + std::to_string(copy);
     for (const int i : members) kinds.of_instance[static_cast<std::size_t>(i)] = static_cast<int>(kinds.names.size());

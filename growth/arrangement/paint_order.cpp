@@ -53,7 +53,9 @@ class OverlapExample {
 using OverlapEdges = std::vector<std::vector<std::size_t>>;
 
 OverlapEdges overlap_edges(const Exemplar& exemplar, const std::vector<ArrangedElement>& elements) {
-    const auto radius = [&](std::size_t i) { return exemplar.elements[static_cast<std::size_t>(elements[i].reference)].radius; };
+    const auto radius = [&](std::size_t i) {
+        return exemplar.elements[static_cast<std::size_t>(elements[i].reference)].radius;
+    };
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < elements.size(); ++i)
         boxes.push_back(grown(Box{elements[i].position, elements[i].position}, radius(i)));

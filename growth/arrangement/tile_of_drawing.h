@@ -7,12 +7,17 @@
 
 namespace rinceau {
 
-/// The canvas, if the drawing is evidently a tile: at least two elements reach over its edge, and nearly all of those have a
-/// twin at the opposite edge, a canvas further. Nothing if that is not so or no element reaches over an edge.
+/// The canvas, if the drawing is evidently a tile: at least two elements reach over its edge, and nearly all of those go on
+/// at the opposite edge, by a copy a canvas further or by the piece that the edge has cut off. Nothing otherwise.
 std::optional<Box> evident_tile(const FiguredDrawing& drawing);
 
-/// The drawing with each element once: of twins that are a tile apart the one whose middle lies in the tile stays and is
-/// whole; elements whose middle lies outside and that have no twin are moved in. What is kept as SVG text has no twins.
-FiguredDrawing as_tile(FiguredDrawing drawing, const Box& tile);
+/// The canvas, if the drawing is evidently a tile or could well be one: no element is cut, and laid side by side copies keep
+/// the distances that elements keep in the drawing: no two come nearer to each other, no gap is wider.
+std::optional<Box> likely_tile(const FiguredDrawing& drawing);
+
+/// The drawing with each element once: of copies that are a tile apart the one whose middle lies in the tile stays and is
+/// whole; pieces that meet across the tile's edge become one element, of a figure of its own, which is whole if its ink has
+/// no holes (else the cut would show); middles are moved into the tile.
+FiguredDrawing as_tile(const FiguredDrawing& drawing, const Box& tile);
 
 }  // namespace rinceau

@@ -107,13 +107,15 @@ TEST_CASE("arrange says what is wrong with its inputs, and writes nothing") {
         CHECK(run.err.find(message) != std::string::npos);
         CHECK(run.out.empty());
     };
-    refused(run_rinceau({"arrange", "-"}, {.input = svg("<rect width='9' height='9'/><rect x='20' width='9' height='9'/>")}), 1,
-            "<stdin>: ");
-    refused(run_rinceau({"arrange", "-"}, {.input = svg("<rect width='9' height='9'/><rect x='20' width='9' height='9'/>"
-                                                        "<rect y='20' width='9' height='9'/><rect x='20' y='20' width='9' height='9'/>")}),
+    refused(run_rinceau({"arrange", "-"}, {.input = svg("<rect width='9' height='9'/><rect x='20' width='9' height='9'/>")}),
+            1, "<stdin>: ");
+    refused(run_rinceau({"arrange", "-"},
+                        {.input = svg("<rect width='9' height='9'/><rect x='20' width='9' height='9'/>"
+                                      "<rect y='20' width='9' height='9'/><rect x='20' y='20' width='9' height='9'/>")}),
             1, "neighbours on all sides");
     refused(run_with_guide("<rect width='9' height='9'/>", {dots, "--region", "GUIDE"}), 1, "no element of");
-    refused(run_with_guide("<path d='M0 0L90 90L90 0L0 90Z'/>", {dots, "--region", "GUIDE"}), 1, "crosses itself near (45, 45)");
+    refused(run_with_guide("<path d='M0 0L90 90L90 0L0 90Z'/>", {dots, "--region", "GUIDE"}), 1,
+            "crosses itself near (45, 45)");
     refused(run_with_guide("", {dots, "--flow", "GUIDE"}), 1, "strokes that show the flow");
     refused(run_with_guide("", {dots, "--spray", "GUIDE,20"}), 1, "lines for the brush");
     refused(run_with_guide("", {dots, "--boundary", "GUIDE"}), 1, "boundary lines");

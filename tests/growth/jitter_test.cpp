@@ -46,8 +46,8 @@ TEST_CASE("every element turns, grows and changes its colour within the ranges, 
         least_scale = std::min(least_scale, scale_of(after[i].pose));
         REQUIRE(after[i].repaints.size() == 2);
         const Color red = *after[i].repaints[0].fill, grey = *after[i].repaints[1].fill;
-        CHECK(red.red > red.blue);                    // a seventh of the hues to either side
-        CHECK(std::abs(grey.red - grey.blue) <= 2);   // grey has no hue
+        CHECK(red.red > red.blue);                   // a seventh of the hues to either side
+        CHECK(std::abs(grey.red - grey.blue) <= 2);  // grey has no hue
     }
     CHECK(most_turn > radians(25));
     CHECK(most_turn <= radians(30));

@@ -40,7 +40,8 @@ TEST_CASE("what is sprayed stands below the brush and all along its path") {
     std::vector<bool> met(31, false);
     for (const ArrangedElement& element : elements) {
         CHECK(std::abs(element.position.y) < 27);
-        if (element.position.x >= 0 && element.position.x <= 300) met[static_cast<std::size_t>(element.position.x / 10)] = true;
+        if (element.position.x >= 0 && element.position.x <= 300)
+            met[static_cast<std::size_t>(element.position.x / 10)] = true;
     }
     for (std::size_t i = 0; i < 30; ++i) CHECK(met[i]);
 }
