@@ -16,6 +16,7 @@
 #include "cli/verbs.h"
 #include "files/files.h"
 #include "growth/arrangement/grow_ground.h"
+#include "growth/arrangement/paint_order.h"
 #include "growth/arrangement/place_figures.h"
 #include "growth/arrangement/spray.h"
 
@@ -97,11 +98,11 @@ void write_connectivity(const ArrangeSettings& settings, const ElementArrangemen
     write_output(settings.connectivity, connectivity_svg(nodes, arranged_edges(arrangement), canvas));
 }
 
-/// What comes into the canvas.
+/// What comes into the canvas, in paint order.
 std::vector<PlacedFigure> visible(const std::vector<PlacedFigure>& placed, const std::vector<Region>& outlines,
-                                  const Box& canvas) {
+                                  const std::vector<std::size_t>& order, const Box& canvas) {
     std::vector<PlacedFigure> kept;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
+    for (const std::size_t i : order) {
         if (overlap(bounds(outlines[i]), canvas)) kept.push_back(placed[i]);
     }
     return kept;
@@ -140,12 +141,13 @@ int run_arrange(const ArrangeSettings& settings) {
     const FiguredDrawing& drawing = input.drawing;
     JitterOptions jitter = settings.jitter;
     jitter.seed = settings.growth.seed;
-    const std::vector<PlacedFigure> placed = jittered(drawing, placed_figures(drawing, arranged_elements(grown.arrangement)),
-                                                      jitter, ground.around.boundary.get());
+    const std::vector<ArrangedElement> elements = arranged_elements(grown.arrangement);
+    const std::vector<PlacedFigure> placed =
+        jittered(drawing, placed_figures(drawing, elements), jitter, ground.around.boundary.get());
     const std::vector<Region> outlines = outlines_of(drawing, placed);
     constexpr double margin = 0.25;  // of a mean edge: half of the usual distance to a neighbour's outline
     const Box canvas = ground.canvas.value_or(rinceau::grown(box_of(outlines), margin * exemplar.mean_edge));
-    const std::vector<PlacedFigure> drawn = visible(placed, outlines, canvas);
+    const std::vector<PlacedFigure> drawn = visible(placed, outlines, paint_order(exemplar, elements), canvas);
 
     write_growth(drawing, drawn, canvas, settings.output);
     write_connectivity(settings, grown.arrangement, outlines, canvas);
