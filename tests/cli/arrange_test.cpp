@@ -97,7 +97,7 @@ TEST_CASE("arrange draws who is whose neighbour") {
     const std::string edges = scratch.file("edges.svg"), numbers = scratch.file("numbers.svg");
     REQUIRE(run_rinceau({"arrange", dots, "--count", "20", "--connectivity", edges, "--numbering", numbers}).status == 0);
     CHECK(occurrences(read_file(edges), "<circle") == 20);
-    CHECK(read_file(numbers).find(">56</text>") != std::string::npos);
+    CHECK(occurrences(read_file(numbers), "<path") > 56);  // outlines, edges and numbers
 }
 
 TEST_CASE("arrange says what is wrong with its inputs, and writes nothing") {
