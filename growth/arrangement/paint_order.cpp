@@ -1,85 +1,104 @@
-// Topological order (Kahn 1962) with a heap by place; of a circle of wishes the first by place is freed.
+// Not in Ijiri et al. 2008, whose elements are painted as they are placed: scales and feathers then lie over one another at
+// random.
+
 #include "growth/arrangement/paint_order.h"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
+#include <numeric>
+#include <set>
 #include <utility>
 
-#include "growth/arrangement/grow_arrangement.h"
+#include "geometry/box_tree.h"
+#include "geometry/kd_tree.h"
 
 namespace rinceau {
-
 namespace {
 
-/// The direction in which the exemplar goes on painting: from what is painted first to its neighbours that are painted later.
-Point painting_direction(const Exemplar& exemplar) {
-    Point sum;
-    for (std::size_t i = 0; i < exemplar.elements.size(); ++i) {
-        const ExemplarRing& ring = exemplar.elements[i].ring;
-        for (std::size_t k = 0; k < ring.elements.size(); ++k)
-            if (exemplar.elements[static_cast<std::size_t>(ring.elements[k])].sub_id > exemplar.elements[i].sub_id) sum += ring.offsets[k];
-    }
-    return norm(sum) > 0 ? sum / abs(sum) : Point{0, -1};  // as text is written: from above
-}
+/// What the exemplar says of an element's neighbours.
+class OverlapExample {
+  public:
+    explicit OverlapExample(const Exemplar& exemplar) : exemplar_(exemplar), tree_(positions(exemplar)) {}
 
-/// How much more often the first of two neighbours wants to be painted before the second than after it.
-int votes_for_before(const ElementArrangement& arrangement, const Exemplar& exemplar, int node, const RingLink& link) {
-    const auto vote = [&](int from, const RingLink& to) {
-        if (to.place < 0) return 0;
-        const ExemplarElement& own = exemplar.elements[static_cast<std::size_t>(arrangement.nodes[static_cast<std::size_t>(from)].reference)];
-        const int other = own.ring.elements[static_cast<std::size_t>(to.place)];
-        const int later_by = exemplar.elements[static_cast<std::size_t>(other)].sub_id - own.sub_id;
-        return later_by > 0 ? 1 : later_by < 0 ? -1 : 0;  // copies in a tile have no order
+    /// Above 0 if a neighbour there lies above the element, below 0 if below; the surer, the farther from 0.
+    double neighbor_above(const ArrangedElement& element, Point neighbor) const {
+        const auto self = static_cast<std::size_t>(element.reference);
+        const Point offset = polar(1, -element.angle) * (neighbor - element.position);
+        const Point wanted = exemplar_.elements[self].position + offset;
+        constexpr double reach = 0.5;  // mean edges: beyond, the exemplar has no neighbour there
+        double best = reach * exemplar_.mean_edge;
+        std::size_t found = self;
+        for (const Neighbor& other : tree_.within(wanted, best)) {
+            const double miss = abs(exemplar_.elements[other.index].position - wanted);
+            if (other.index == self || miss >= best) continue;
+            best = miss;
+            found = other.index;
+        }
+        const std::size_t own = self % exemplar_.originals, theirs = found % exemplar_.originals;
+        const double sureness = 1 - best / (reach * exemplar_.mean_edge);
+        return theirs == own ? 0 : (theirs > own ? sureness : -sureness);
+    }
+
+  private:
+    static std::vector<Point> positions(const Exemplar& exemplar) {
+        std::vector<Point> all;
+        for (const ExemplarElement& element : exemplar.elements) all.push_back(element.position);
+        return all;
+    }
+
+    const Exemplar& exemplar_;
+    KdTree tree_;
+};
+
+/// below -> above, by index.
+using OverlapEdges = std::vector<std::vector<std::size_t>>;
+
+OverlapEdges overlap_edges(const Exemplar& exemplar, const std::vector<ArrangedElement>& elements) {
+    const auto radius = [&](std::size_t i) {
+        return exemplar.elements[static_cast<std::size_t>(elements[i].reference)].radius;
     };
-    int votes = vote(node, link);
-    for (const RingLink& back : arrangement.nodes[static_cast<std::size_t>(link.other)].links)
-        if (back.other == node) votes -= vote(link.other, back);
-    return votes;
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        boxes.push_back(grown(Box{elements[i].position, elements[i].position}, radius(i)));
+    const BoxTree tree(boxes);
+    const OverlapExample example(exemplar);
+    OverlapEdges above(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        tree.visit(boxes[i], [&](std::size_t k) {
+            if (k <= i || abs(elements[k].position - elements[i].position) >= radius(i) + radius(k)) return true;
+            const double vote = example.neighbor_above(elements[i], elements[k].position) -
+                                example.neighbor_above(elements[k], elements[i].position);
+            if (vote > 0) above[i].push_back(k);
+            if (vote < 0) above[k].push_back(i);
+            return true;
+        });
+    }
+    return above;
 }
 
 }  // namespace
 
-std::vector<int> paint_order(const ElementArrangement& arrangement, const Exemplar& exemplar) {
-    const std::vector<int> nodes = nodes_by_birth(arrangement);
-    std::vector<int> place(arrangement.nodes.size(), -1);
-    for (std::size_t i = 0; i < nodes.size(); ++i) place[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
-    // Who must wait for whom.
-    std::vector<std::vector<int>> later(nodes.size());
-    std::vector<int> waits_for(nodes.size(), 0);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        for (const RingLink& link : arrangement.nodes[static_cast<std::size_t>(nodes[i])].links) {
-            const int other = place[static_cast<std::size_t>(link.other)];
-            if (other < 0 || votes_for_before(arrangement, exemplar, nodes[i], link) <= 0) continue;
-            later[i].push_back(other);
-            ++waits_for[static_cast<std::size_t>(other)];
+std::vector<std::size_t> paint_order(const Exemplar& exemplar, const std::vector<ArrangedElement>& elements) {
+    std::vector<std::size_t> order(elements.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (!exemplar.outlines_overlap) return order;
+
+    const OverlapEdges above = overlap_edges(exemplar, elements);
+    std::vector<std::size_t> below(elements.size(), 0);
+    for (const auto& upper : above) {
+        for (const std::size_t k : upper) ++below[k];
+    }
+    // The next is one with nothing left below it; where that leads round in circles, one with the least.
+    std::set<std::pair<std::size_t, std::size_t>> waiting;
+    for (const std::size_t i : order) waiting.insert({below[i], i});
+    order.clear();
+    while (!waiting.empty()) {
+        const std::size_t next = waiting.begin()->second;
+        waiting.erase(waiting.begin());
+        order.push_back(next);
+        for (const std::size_t k : above[next]) {
+            if (waiting.erase({below[k], k}) == 0) continue;
+            waiting.insert({--below[k], k});
         }
-    }
-    const Point direction = painting_direction(exemplar);
-    using Candidate = std::pair<double, int>;
-    std::vector<Candidate> by_place;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        by_place.push_back({dot(arrangement.nodes[static_cast<std::size_t>(nodes[i])].position, direction), static_cast<int>(i)});
-    std::sort(by_place.begin(), by_place.end());
-    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> free;
-    std::vector<char> queued(nodes.size(), 0);
-    const auto release = [&](const Candidate& candidate) {
-        if (std::exchange(queued[static_cast<std::size_t>(candidate.second)], 1) == 0) free.push(candidate);
-    };
-    std::vector<double> along(nodes.size());
-    for (const Candidate& candidate : by_place) {
-        along[static_cast<std::size_t>(candidate.second)] = candidate.first;
-        if (waits_for[static_cast<std::size_t>(candidate.second)] == 0) release(candidate);
-    }
-    std::vector<int> order;
-    for (std::size_t next = 0; order.size() < nodes.size();) {
-        // A circle: the first by place that is still waiting.
-        while (free.empty()) release(by_place[next++]);
-        const int painted = free.top().second;
-        free.pop();
-        order.push_back(painted);
-        for (const int other : later[static_cast<std::size_t>(painted)])
-            if (--waits_for[static_cast<std::size_t>(other)] == 0) release({along[static_cast<std::size_t>(other)], other});
     }
     return order;
 }

@@ -25,21 +25,24 @@ constexpr double visible_overlap = 1e-3;  ///< of the smaller outline's area
 constexpr double large_share = 0.15;
 
 struct ArrangementPatterns {
-    PointPattern exemplar, grown;
+    PointPattern exemplar;
+    PointPattern around;  ///< the exemplar, a tiled one with its copies on all sides
+    PointPattern grown;
 };
 
 const ExemplarElement& reference_of(const Exemplar& exemplar, const ArrangedElement& element) {
     return exemplar.elements[static_cast<std::size_t>(element.reference)];
 }
 
-PointPattern exemplar_pattern(const Exemplar& exemplar) {
+PointPattern exemplar_pattern(const Exemplar& exemplar, std::size_t count) {
     std::vector<Point> positions;
     std::vector<int> symbols;
-    for (std::size_t i = 0; i < exemplar.originals; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         positions.push_back(exemplar.elements[i].position);
         symbols.push_back(exemplar.elements[i].symbol);
     }
-    if (exemplar.tile) return tiled_pattern(std::move(positions), std::move(symbols), *exemplar.tile);
+    if (exemplar.tile && count == exemplar.originals)
+        return tiled_pattern(std::move(positions), std::move(symbols), *exemplar.tile);
     return pattern_of(std::move(positions), std::move(symbols), exemplar.mean_edge);
 }
 
@@ -111,16 +114,26 @@ void measure_shares(ArrangementMeasures& measures, const Exemplar& exemplar, con
     measures.shares.assign(exemplar.symbols.size(), 0);
     for (const int symbol : grown.symbols)
         measures.shares[static_cast<std::size_t>(symbol)] += 1 / static_cast<double>(grown.symbols.size());
-    for (std::size_t symbol = 0; symbol < exemplar.symbols.size(); ++symbol) {
-        const double wanted = exemplar.symbols[symbol].share;
-        if (!(wanted > 0)) continue;
+    std::vector<bool> can_grow(exemplar.symbols.size());
+    for (const ExemplarElement& element : exemplar.elements)
+        if (element.usable) can_grow[static_cast<std::size_t>(element.symbol)] = true;
+    double all = 0;
+    for (std::size_t symbol = 0; symbol < can_grow.size(); ++symbol)
+        all += can_grow[symbol] ? exemplar.symbols[symbol].share : 0;
+    for (std::size_t symbol = 0; symbol < can_grow.size(); ++symbol) {
+        if (!can_grow[symbol]) {
+            ++measures.lost_symbols;
+            continue;
+        }
+        const double wanted = exemplar.symbols[symbol].share / all;
         double& error = wanted < large_share ? measures.small_share_error : measures.share_error;
         error = std::max(error, std::abs(measures.shares[symbol] / wanted - 1));
     }
 }
 
+/// Copies of the same element near each other, and neighbours as they stand in the exemplar.
 void measure_repeats(ArrangementMeasures& measures, const Exemplar& exemplar, const std::vector<ArrangedElement>& elements,
-                     const KdTree& tree) {
+                     std::span<const std::pair<int, int>> edges, const KdTree& tree) {
     std::set<int> usable;
     for (const ExemplarElement& element : exemplar.elements)
         if (element.usable) usable.insert(element.sub_id);
@@ -134,6 +147,20 @@ void measure_repeats(ArrangementMeasures& measures, const Exemplar& exemplar, co
                 reference_of(exemplar, elements[i]).sub_id == reference_of(exemplar, elements[near.index]).sub_id ? 1 : 0;
         }
     measures.repeats = pairs > 0 ? same / pairs : measures.chance;
+
+    std::set<std::pair<int, int>> neighbors;
+    for (const auto& [a, b] : exemplar.edges) {
+        const int first = exemplar.elements[static_cast<std::size_t>(a)].sub_id,
+                  second = exemplar.elements[static_cast<std::size_t>(b)].sub_id;
+        neighbors.insert({std::min(first, second), std::max(first, second)});
+    }
+    double verbatim = 0;
+    for (const auto& [a, b] : edges) {
+        const int first = reference_of(exemplar, elements[static_cast<std::size_t>(a)]).sub_id;
+        const int second = reference_of(exemplar, elements[static_cast<std::size_t>(b)]).sub_id;
+        verbatim += static_cast<double>(neighbors.count({std::min(first, second), std::max(first, second)}));
+    }
+    if (!edges.empty()) measures.verbatim = verbatim / static_cast<double>(edges.size());
 }
 
 void measure_rings(ArrangementMeasures& measures, const Exemplar& exemplar, const std::vector<ArrangedElement>& elements,
@@ -155,7 +182,9 @@ ArrangementMeasures measure_arrangement(const Exemplar& exemplar, const std::vec
     ArrangementMeasures measures;
     measures.elements = elements.size();
     if (elements.empty()) return measures;
-    const ArrangementPatterns patterns{exemplar_pattern(exemplar), grown_pattern(exemplar, elements, around.boundary.get())};
+    const ArrangementPatterns patterns{exemplar_pattern(exemplar, exemplar.originals),
+                                       exemplar_pattern(exemplar, exemplar.elements.size()),
+                                       grown_pattern(exemplar, elements, around.boundary.get())};
     const std::vector<bool> inside = deeper_than(patterns.grown, inside_depth * exemplar.mean_edge);
     measures.inside = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), true));
 
@@ -164,13 +193,13 @@ ArrangementMeasures measure_arrangement(const Exemplar& exemplar, const std::vec
     const KdTree tree(patterns.grown.positions);
     measure_distances(measures, exemplar, patterns.grown, tree);
     measure_shares(measures, exemplar, patterns.grown);
-    measure_repeats(measures, exemplar, elements, tree);
+    measure_repeats(measures, exemplar, elements, edges, tree);
     measures.density = density(patterns.grown) / density(patterns.exemplar);
 
     const int symbols = static_cast<int>(exemplar.symbols.size());
     measures.pair_distance = pair_distance(patterns.grown, patterns.exemplar, symbols, exemplar.mean_edge);
     measures.pair_spread = pair_spread(patterns.exemplar, symbols, exemplar.mean_edge);
-    const double exemplar_empty = largest_empty_circle(patterns.exemplar, 0).radius;
+    const double exemplar_empty = largest_empty_circle(patterns.around, 0).radius;
     const double grown_empty = largest_empty_circle(patterns.grown, circle_depth * exemplar.mean_edge).radius;
     if (exemplar_empty > 0 && grown_empty > 0) measures.empty_circle = grown_empty / exemplar_empty;
     return measures;

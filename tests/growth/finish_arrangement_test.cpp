@@ -154,10 +154,10 @@ TEST_CASE("scales are painted over each other as in the exemplar") {
     REQUIRE(exemplar.outlines_overlap);
     ElementArrangement arrangement = with_seed(empty_arrangement(exemplar, {}), exemplar, {}, {0, 0});
     arrangement = finished(grow(std::move(arrangement), exemplar, {}, {.count = 200}), exemplar, {}, {.count = 200});
-    const std::vector<int> order = paint_order(arrangement, exemplar);
     const std::vector<ArrangedElement> elements = arranged_elements(arrangement);
+    const std::vector<std::size_t> order = paint_order(exemplar, elements);
     std::vector<std::size_t> when(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) when[static_cast<std::size_t>(order[i])] = i;
+    for (std::size_t i = 0; i < order.size(); ++i) when[order[i]] = i;
     REQUIRE(order.size() == 200);
     std::size_t pairs = 0;
     for (const auto& [a, b] : arranged_edges(arrangement)) {
