@@ -36,7 +36,8 @@ double corner_angle(Point before, Point at, Point after) {
 
 // Elements of each symbol per unit of area: a face's corners belong to it by their angles, which is exact on lattices
 // whatever the rim.
-std::vector<double> densities(const ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh) {
+std::vector<double> densities(const ElementArrangement& arrangement, const GrowthGround& ground,
+                              const ArrangementMesh& mesh) {
     std::vector<double> counts(ground.exemplar.symbols.size(), 0);
     double whole = 0;
     for (const std::vector<int>& face : mesh.connectivity.faces) {
@@ -77,7 +78,8 @@ TargetRing ring_about(const ElementArrangement& arrangement, const GrowthGround&
     return ring_of_nodes(arrangement, ground, seed, nodes);
 }
 
-bool keeps_distance(const ElementArrangement& arrangement, const GrowthGround& ground, int reference, Point at, int except, double share) {
+bool keeps_distance(const ElementArrangement& arrangement, const GrowthGround& ground, int reference, Point at, int except,
+                    double share) {
     const int symbol = ground.exemplar.elements[static_cast<std::size_t>(reference)].symbol;
     bool keeps = true;
     arrangement.grid.visit(at, share * ground.reach_of[static_cast<std::size_t>(symbol)], [&](int node, Point position) {
@@ -88,8 +90,8 @@ bool keeps_distance(const ElementArrangement& arrangement, const GrowthGround& g
     return keeps;
 }
 
-bool fill_hole(ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher, int seed, double radius, double share,
-               bool clear) {
+bool fill_hole(ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher, int seed, double radius,
+               double share, bool clear) {
     const TargetRing ring = ring_about(arrangement, ground, seed, radius);
     const std::vector<ReferenceMatch> matches = references_by_cost(arrangement, ground, matcher, seed, ring);
     const Point at = node_of(arrangement, seed).position;
@@ -101,7 +103,8 @@ bool fill_hole(ElementArrangement& arrangement, const GrowthGround& ground, Ring
         for (std::size_t k = 0; k < ring.inner.size(); ++k) {
             const int other = ring.inner[k].node;
             const Point to = node_of(arrangement, other).position;
-            if (crosses_edge(arrangement, at, to, seed, other, ground.exemplar.longest_edge) || is_barred(ground, at, to)) continue;
+            if (crosses_edge(arrangement, at, to, seed, other, ground.exemplar.longest_edge) || is_barred(ground, at, to))
+                continue;
             join_nodes(arrangement, seed, other);
             if (match.places[k] >= 0) fill_place(arrangement, ground, seed, other, match.places[k]);
         }
@@ -165,13 +168,15 @@ void thin_out(ElementArrangement& arrangement, const GrowthGround& ground, const
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         const ArrangementNode& node = node_of(arrangement, mesh.nodes[i]);
         if (node.reference < 0 || node.held || !mesh.connectivity.inner[i]) continue;
-        worst[static_cast<std::size_t>(node.symbol)].push_back({-ring_misfit(arrangement, ground, mesh.nodes[i]), mesh.nodes[i]});
+        worst[static_cast<std::size_t>(node.symbol)].push_back(
+            {-ring_misfit(arrangement, ground, mesh.nodes[i]), mesh.nodes[i]});
     }
     std::vector<char> beside(arrangement.nodes.size(), 0);
     for (std::size_t symbol = 0; symbol < found.size(); ++symbol) {
         const double wanted = ground.exemplar.symbols[symbol].density;
         if (!(found[symbol] > (1 + tolerated_surplus) * wanted)) continue;
-        auto surplus = static_cast<int>(removed_surplus * (1 - wanted / found[symbol]) * static_cast<double>(worst[symbol].size()));
+        auto surplus =
+            static_cast<int>(removed_surplus * (1 - wanted / found[symbol]) * static_cast<double>(worst[symbol].size()));
         std::sort(worst[symbol].begin(), worst[symbol].end());
         for (const auto& [misfit, node] : worst[symbol]) {
             if (surplus <= 0) break;
@@ -188,15 +193,21 @@ void drop_crowded(ElementArrangement& arrangement, const GrowthGround& ground, d
         const int node = static_cast<int>(i);
         if (!is_element(arrangement.nodes[i])) continue;
         std::vector<int> close;
-        arrangement.grid.visit(arrangement.nodes[i].position, share * ground.reach_of[static_cast<std::size_t>(arrangement.nodes[i].symbol)], [&](int other, Point at) {
-            const ArrangementNode& second = node_of(arrangement, other);
-            if (other <= node || !is_element(second)) return;
-            if (abs(at - arrangement.nodes[i].position) < share * least_distance(ground, arrangement.nodes[i].symbol, second.symbol)) close.push_back(other);
-        });
+        arrangement.grid.visit(arrangement.nodes[i].position,
+                               share * ground.reach_of[static_cast<std::size_t>(arrangement.nodes[i].symbol)],
+                               [&](int other, Point at) {
+                                   const ArrangementNode& second = node_of(arrangement, other);
+                                   if (other <= node || !is_element(second)) return;
+                                   if (abs(at - arrangement.nodes[i].position) <
+                                       share * least_distance(ground, arrangement.nodes[i].symbol, second.symbol))
+                                       close.push_back(other);
+                               });
         std::sort(close.begin(), close.end());
         for (const int other : close) {
-            const bool first_smaller = radius_of(ground, arrangement.nodes[i]) < radius_of(ground, node_of(arrangement, other));
-            const int smaller = (first_smaller && !arrangement.nodes[i].held) || node_of(arrangement, other).held ? node : other;
+            const bool first_smaller =
+                radius_of(ground, arrangement.nodes[i]) < radius_of(ground, node_of(arrangement, other));
+            const int smaller =
+                (first_smaller && !arrangement.nodes[i].held) || node_of(arrangement, other).held ? node : other;
             remove_node(arrangement, smaller);
             if (smaller == node) break;
         }
@@ -210,17 +221,19 @@ HoleLimits hole_limits(const GrowthGround& ground, double slack) {
     const Connectivity connectivity = connectivity_of(positions);
     double gap = 0;
     for (const std::vector<int>& face : connectivity.faces) {
-        if (!std::all_of(face.begin(), face.end(), [&](int i) { return connectivity.inner[static_cast<std::size_t>(i)]; })) continue;
+        if (!std::all_of(face.begin(), face.end(), [&](int i) { return connectivity.inner[static_cast<std::size_t>(i)]; }))
+            continue;
         const FaceCircle circle = face_circle(positions, face);
         double clear = circle.radius;
-        for (const ExemplarElement& element : elements) clear = std::min(clear, abs(element.position - circle.center) - element.radius);
+        for (const ExemplarElement& element : elements)
+            clear = std::min(clear, abs(element.position - circle.center) - element.radius);
         gap = std::max(gap, clear);
     }
     return {slack * ground.exemplar.largest_empty, gap > 0 ? slack * gap : ground.exemplar.largest_empty};
 }
 
-std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh, const HoleLimits& limits,
-                            double share, bool clear) {
+std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh,
+                            const HoleLimits& limits, double share, bool clear) {
     std::vector<std::pair<double, Point>> holes;
     for (const std::vector<int>& face : mesh.connectivity.faces) {
         const FaceCircle circle = face_circle(mesh.points, face);

@@ -19,7 +19,8 @@ ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
 void move_unless_barred(ElementArrangement& arrangement, const GrowthGround& ground, int node, Point to) {
     const ArrangementNode& moved = node_of(arrangement, node);
     if (is_barred(ground, moved.position, to)) return;
-    if (ground.exclusive && !overlapped_elements(arrangement, ground, {moved.reference, to, moved.angle}, node).empty()) return;
+    if (ground.exclusive && !overlapped_elements(arrangement, ground, {moved.reference, to, moved.angle}, node).empty())
+        return;
     move_node(arrangement, node, to);
 }
 
@@ -29,7 +30,8 @@ struct CrowdingElement {
     double missing = 0;
 };
 
-std::vector<CrowdingElement> nearer_than_allowed(const ElementArrangement& arrangement, const GrowthGround& ground, int node) {
+std::vector<CrowdingElement> nearer_than_allowed(const ElementArrangement& arrangement, const GrowthGround& ground,
+                                                 int node) {
     const ArrangementNode& center = arrangement.nodes[static_cast<std::size_t>(node)];
     const auto symbol = static_cast<std::size_t>(center.symbol);
     std::vector<CrowdingElement> near;

@@ -79,9 +79,11 @@ TEST_CASE("no outline leaves the region or crosses a line, however it was grown"
         const double l = exemplar.mean_edge;
         const std::vector<Point> ring{{-8 * l, -8 * l}, {8 * l, -6 * l}, {2 * l, 0}, {8 * l, 8 * l}, {-8 * l, 7 * l}};
         ArrangeSurroundings around;
-        around.boundary = std::make_shared<Boundary>(std::vector<Polyline>{{{-5 * l, 2 * l}, {-2 * l, -6 * l}}}, Region{ring});
+        around.boundary =
+            std::make_shared<Boundary>(std::vector<Polyline>{{{-5 * l, 2 * l}, {-2 * l, -6 * l}}}, Region{ring});
         for (const RotationMode mode : {RotationMode::fixed, RotationMode::rotate}) {
-            ElementArrangement arrangement = with_seed(empty_arrangement(exemplar, {.mode = mode}), exemplar, around, {0, 0});
+            ElementArrangement arrangement =
+                with_seed(empty_arrangement(exemplar, {.mode = mode}), exemplar, around, {0, 0});
             arrangement = grow(std::move(arrangement), exemplar, around, {});
             CHECK(cut_by(*around.boundary, exemplar, arrangement) == 0);
             arrangement = finished(std::move(arrangement), exemplar, around);
@@ -103,7 +105,8 @@ TEST_CASE("a regular pattern meets again behind a wall without a tear") {
     for (const ArrangementNode& node : arrangement.nodes)
         for (const RingLink& link : node.links)
             if (link.place >= 0)
-                CHECK(abs(arrangement.nodes[static_cast<std::size_t>(link.other)].position - node.position - link.target) < 1e-6 * l);
+                CHECK(abs(arrangement.nodes[static_cast<std::size_t>(link.other)].position - node.position - link.target) <
+                      1e-6 * l);
 }
 
 TEST_CASE("what is sprayed grows under the brush and joins what stands") {
@@ -161,7 +164,8 @@ TEST_CASE("scales are painted over each other as in the exemplar") {
     REQUIRE(order.size() == 200);
     std::size_t pairs = 0;
     for (const auto& [a, b] : arranged_edges(arrangement)) {
-        const double rise = elements[static_cast<std::size_t>(b)].position.y - elements[static_cast<std::size_t>(a)].position.y;
+        const double rise =
+            elements[static_cast<std::size_t>(b)].position.y - elements[static_cast<std::size_t>(a)].position.y;
         if (std::abs(rise) < 1) continue;
         ++pairs;
         CHECK((when[static_cast<std::size_t>(a)] < when[static_cast<std::size_t>(b)]) == (rise < 0));
