@@ -21,6 +21,7 @@ namespace {
 constexpr int repair_rounds = 4;
 constexpr int angle_rounds = 2;
 constexpr int last_angle_rounds = 4;
+constexpr int most_refills = 3;
 constexpr int last_passes = 60;           // of separation
 constexpr double crowded_share = 0.8;     // of the least distance: nearer, one of two goes
 constexpr double last_share = 0.97;       // the same at the end
@@ -64,44 +65,70 @@ void trim_rim(ElementArrangement& arrangement, std::size_t count) {
     }
 }
 
+/// One call of finished().
+struct Finishing {
+    const GrowthGround& ground;
+    bool flows = false;  ///< only what needs no new rings is done: a lattice along a flow would become hexagons
+    bool repairs = false;
+    bool clear = false;    ///< outlines must not overlap
+    bool limited = false;  ///< the order has a count
+};
+
+// What must not be when all is done goes.
+void drop_faults(ElementArrangement& arrangement, const Finishing& finishing) {
+    if (finishing.repairs) drop_crowded(arrangement, finishing.ground, last_share);
+    if (finishing.clear) drop_overlapping(arrangement, finishing.ground);
+    drop_cut(arrangement, finishing.ground);
+}
+
+void part_elements(ElementArrangement& arrangement, const Finishing& finishing) {
+    const GrowthGround& ground = finishing.ground;
+    if (finishing.repairs) separate(arrangement, ground, living_nodes(arrangement), last_passes);
+    if (!finishing.clear || finishing.flows) return;  // along a flow nothing overlaps
+    untangle_outlines(arrangement, ground);
+    if (finishing.repairs) separate(arrangement, ground, living_nodes(arrangement), last_passes);
+}
+
 }  // namespace
 
 ElementArrangement finished(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around,
                             const GrowOrder& order, const Progress& progress) {
     if (arrangement.elements == 0) return arrangement;
     const GrowthGround ground = make_ground(exemplar, around, arrangement.options);
+    const bool finishes = ground.options.finish;
     const bool flows = ground.options.mode == RotationMode::flow;
-    const bool repairs = ground.options.finish && exemplar.irregular && !ground.by_lattice && !flows;
-    const bool clear = !exemplar.outlines_overlap;
-    const bool limited = order.count < std::numeric_limits<std::size_t>::max();
+    const Finishing finishing{.ground = ground,
+                              .flows = flows,
+                              .repairs = finishes && exemplar.irregular && !ground.by_lattice && !flows,
+                              .clear = finishes && !exemplar.outlines_overlap,
+                              .limited = order.count < std::numeric_limits<std::size_t>::max()};
     const HoleLimits limits = hole_limits(ground, flows ? flow_hole_slack : hole_slack);
+    const auto stopped = [&] { return order.stop && order.stop(); };
+    const auto grow_missing = [&] {
+        if (!finishing.limited || arrangement.elements >= order.count || stopped()) return false;
+        const std::size_t stood = arrangement.elements;
+        arrangement = grow(std::move(arrangement), exemplar, around, {.count = with_spare(order.count), .stop = order.stop});
+        return arrangement.elements > stood;
+    };
     if (ground.options.relax) settle_all(arrangement, ground, last_angle_rounds);
-    for (int round = 0; repairs && round < repair_rounds; ++round) {
-        if (order.stop && order.stop()) break;
+    for (int round = 0; finishing.repairs && round < repair_rounds && !stopped(); ++round) {
         report(progress, "finish", static_cast<double>(round) / repair_rounds);
         repair_round(arrangement, ground, limits, round + 1 == repair_rounds);
-        if (limited && round + 1 < repair_rounds)
-            arrangement =
-                grow(std::move(arrangement), exemplar, around, {.count = with_spare(order.count), .stop = order.stop});
+        if (round + 1 < repair_rounds) grow_missing();
     }
-    if (repairs) {
-        separate(arrangement, ground, living_nodes(arrangement), last_passes);
-        if (clear) {
-            untangle_outlines(arrangement, ground);
-            separate(arrangement, ground, living_nodes(arrangement), last_passes);
-        }
-        drop_crowded(arrangement, ground, last_share);
-    } else if (clear && ground.options.finish && !flows) {
-        untangle_outlines(arrangement, ground);
-    }
-    if (clear && ground.options.finish) drop_overlapping(arrangement, ground);
-    drop_cut(arrangement, ground);
-    if (repairs || (flows && ground.options.finish)) {
+    part_elements(arrangement, finishing);
+    drop_faults(arrangement, finishing);
+    if (finishing.repairs || (flows && finishes)) {
         drop_covered_seeds(arrangement, ground);
-        fill_holes(arrangement, ground, mesh_of(arrangement, ground), limits, flows ? crowded_share : last_share, clear);
+        fill_holes(arrangement, ground, mesh_of(arrangement, ground), limits, flows ? crowded_share : last_share,
+                   finishing.clear);
     }
-    if (limited) trim_rim(arrangement, order.count);
-    if (repairs) relink_rings(arrangement, ground, mesh_of(arrangement, ground));
+    for (int refill = 0; refill < most_refills && grow_missing(); ++refill) {
+        if (finishing.repairs) separate(arrangement, ground, living_nodes(arrangement), last_passes);
+        drop_faults(arrangement, finishing);
+    }
+    if (finishing.limited) trim_rim(arrangement, order.count);
+    if (finishing.repairs) relink_rings(arrangement, ground, mesh_of(arrangement, ground));
     return arrangement;
 }
 

@@ -2,6 +2,8 @@
 // a vortex: 22 % too dense, some distances halved), so that there only the neighbourhood of what is new is relaxed.
 #include "growth/arrangement/settle_arrangement.h"
 
+#include <cmath>
+
 #include "growth/arrangement/node_links.h"
 #include "growth/arrangement/relax_all.h"
 #include "growth/arrangement/relax_near.h"
@@ -11,6 +13,7 @@ namespace rinceau {
 
 namespace {
 
+constexpr double exact = 1e-9;  // mean edges: rounding
 constexpr int near_links = 2;
 constexpr int near_sweeps = 2;
 constexpr int near_passes = 2;
@@ -44,7 +47,9 @@ void settle_near(ElementArrangement& arrangement, const GrowthGround& ground, in
 
 void settle_all(ElementArrangement& arrangement, const GrowthGround& ground, int rounds, int separation_passes) {
     const std::vector<int> nodes = living_nodes(arrangement);
-    if (ground.options.mode != RotationMode::flow) {
+    // A lattice that came out exact needs no solve.
+    const double settled = static_cast<double>(nodes.size()) * std::pow(exact * ground.exemplar.mean_edge, 2);
+    if (ground.options.mode != RotationMode::flow && ring_energy(arrangement) > settled) {
         std::vector<Point> before;
         if (ground.around.boundary != nullptr && !ground.around.boundary->is_empty())
             for (const ArrangementNode& node : arrangement.nodes) before.push_back(node.position);
