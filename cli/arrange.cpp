@@ -61,6 +61,7 @@ Grown grow_all(const ArrangeSettings& settings, const Exemplar& exemplar, const 
     bool late = false;
     GrowOrder order;
     if (settings.count) order.count = *settings.count;
+    order.brush = ground.limit;
     if (settings.seconds > 0)
         order.stop = [&late, start, limit = settings.seconds] { return late = late || seconds_since(start) > limit; };
     ProgressBar bar;
