@@ -27,7 +27,7 @@ terminal T: style 1; path "M-2-1.2L2-1.2L0 2.4Z"
 )";
 
 Grammar grammar_with(const std::string& axiom, const std::string& rules = "") {
-    return parse_grammar("lsystem 1\ncanvas 0 -100 100 0\naxiom: " + axiom + "\n" + rules + terminals, "drawing.svg");
+    return parse_grammar("lsystem 1\ncanvas 0 0 100 100\naxiom: " + axiom + "\n" + rules + terminals, "drawing.svg");
 }
 
 /// "[..] body" at uneven places of a 4 x 4 grid, turned a little.
@@ -93,13 +93,13 @@ TEST_CASE("a net of touching shapes is no figure, but what a rule of the grammar
     std::string squares;
     std::string cells;
     for (int i = 0; i < 30; ++i) {
-        const std::string place =
-            "[f(" + std::to_string(-60 + 2 * (i / 6)) + ") -(90) f(" + std::to_string(40 + 4 * (i % 6)) + ") +(90) ";
-        squares += place + "S] ";
-        cells += place + "Cell] ";
+        const std::string front = "[f(" + std::to_string(2 * (i / 6) - 60) + ") -(90) f(";
+        squares += front + std::to_string(40 + 2 * (i % 6)) + ") +(90) S] ";
+        cells += front + std::to_string(40 + 4 * (i % 6)) + ") +(90) Cell] ";
     }
     CHECK(figures_of(grammar_with(squares)).instances.size() == 30);
-    const FiguredDrawing pairs = figures_of(grammar_with(cells, "Cell -> [S] [-(90) f(2) +(90) T]\n"));
+    // a square and a circle as wide side by side
+    const FiguredDrawing pairs = figures_of(grammar_with(cells, "Cell -> [S] [-(90) f(2) +(90) *(0.33) C]\n"));
     CHECK(pairs.instances.size() == 30);
     CHECK(pairs.figures.front().parts.size() == 2);
 }
@@ -146,7 +146,7 @@ TEST_CASE("copies keep their pose, mirror images among them, and other relations
 }
 
 TEST_CASE("a background is no element, and what the picture's edge cuts is not whole") {
-    const FiguredDrawing drawing = figures_of(grammar_with("[f(-100) G] " + scattered("D") + " [f(-50) D]"));
+    const FiguredDrawing drawing = figures_of(grammar_with("[G] " + scattered("D") + " [f(-50) D]"));
     CHECK(drawing.instances.size() == 17);
     REQUIRE(drawing.warnings.size() == 1);
     CHECK_THAT(drawing.warnings.front(), Catch::Contains("G") && Catch::Contains("background"));
@@ -170,8 +170,7 @@ TEST_CASE("what is placed is drawn the same by placements and by a grammar, part
     const FiguredDrawing drawing = figures_of(grammar);
     std::vector<PlacedFigure> placed;
     for (const FigureInstance& instance : drawing.instances) placed.push_back({instance.figure, instance.pose, {}});
-    placed[3].repaints.resize(drawing.figures[static_cast<std::size_t>(placed[3].figure)].parts.size());
-    placed[3].repaints.front().stroke = Color{0, 128, 0};
+    placed[3].repaints = {{.stroke = Color{0, 128, 0}}, {}};
     const Grammar grown = grammar_of(drawing, placed, {{0, -100}, {100, 0}});
     CHECK(grown.terminals.size() == 2);
     const Scene by_grammar = to_scene(grown, interpret(parse_grammar(to_text(grown))));
@@ -215,10 +214,14 @@ TEST_CASE("a drawing whose edges go on at the opposite ones is a tile, and its c
     const FiguredDrawing tile = as_tile(drawing, *evident_tile(drawing));
     CHECK(tile.instances.size() == 18);
     CHECK(std::ranges::all_of(tile.instances, &FigureInstance::whole));
+    // whole squares that end at both edges are no pieces
+    std::string wall;
+    for (int i = 1; i < 10; ++i) wall += at(1, 10 * i, "S") + at(99, 10 * i, "S") + at(50, 10 * i, "S");
+    CHECK_FALSE(evident_tile(figures_of(grammar_with(wall))));
     // bars that the edge has cut in two: each piece ends at the edge
     const std::string pieces =
         at(2.5, 25, "+(0) *(0.625) A") + at(98.5, 25, "*(0.375) A") + at(1.5, 60, "*(0.375) A") + at(97.5, 60, "*(0.625) A");
-    const FiguredDrawing cut = figures_of(grammar_with(inside + pieces));
+    const FiguredDrawing cut = figures_of(grammar_with(scattered("A", false) + pieces));
     REQUIRE(evident_tile(cut));
     const FiguredDrawing joined = as_tile(cut, *evident_tile(cut));
     CHECK(joined.instances.size() == 18);
