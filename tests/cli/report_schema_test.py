@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says, those of
+arranging as docs/arrange_report.schema.json and of
 packing as docs/pack_report.schema.json says."""
 
 import json
