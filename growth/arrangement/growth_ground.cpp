@@ -1,6 +1,7 @@
 #include "growth/arrangement/growth_ground.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "geometry/angle.h"
@@ -91,6 +92,7 @@ void fill_least_distances(GrowthGround& ground) {
 }  // namespace
 
 GrowthGround make_ground(const Exemplar& exemplar, const ArrangeSurroundings& around, const ArrangeOptions& options) {
+    assert(options.mode != RotationMode::flow || around.flow != nullptr);
     GrowthGround ground{.exemplar = exemplar, .around = around, .options = options};
     ground.usable_of.resize(exemplar.symbols.size());
     for (std::size_t i = 0; i < exemplar.elements.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <Eigen/Sparse>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -113,6 +114,7 @@ std::vector<int> all_nodes(const ElementArrangement& arrangement) {
 
 void relax_all(ElementArrangement& arrangement, const GrowthGround& ground, int rounds) {
     assert(ground.options.mode != RotationMode::flow);
+    [[maybe_unused]] const double energy = ring_energy(arrangement);
     std::vector<RingTerm> terms = ring_terms(arrangement);
     const std::vector<int> unknowns = unknowns_of(arrangement, terms);
     const int count = 1 + *std::max_element(unknowns.begin(), unknowns.end());
@@ -129,6 +131,10 @@ void relax_all(ElementArrangement& arrangement, const GrowthGround& ground, int 
             if (unknowns[i] >= 0)
                 move_node(arrangement, static_cast<int>(i), {solution(unknowns[i], 0), solution(unknowns[i], 1)});
     }
+    // Rounding of the solve counts in mean edges.
+    [[maybe_unused]] const double rounding =
+        1e-12 * static_cast<double>(terms.size()) * std::pow(ground.exemplar.mean_edge, 2);
+    assert(ring_energy(arrangement) <= energy * (1 + 1e-9) + rounding);
 }
 
 }  // namespace rinceau
