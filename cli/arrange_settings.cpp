@@ -43,9 +43,9 @@ void parse_spray(const std::string& text, ArrangeSettings& settings) {
 std::vector<std::pair<int, int>> parse_flips(const std::string& text) {
     const auto element = [](std::string_view part, const std::string& whole) {
         const double number = parse_number("--flip-edges", "pairs of elements like 3-7,5-9", part);
-        if (!(number >= 1 && number <= most_elements) || number != static_cast<int>(number))
+        if (!(number >= 0 && number <= most_elements) || number != static_cast<int>(number))
             throw CLI::ValidationError("--flip-edges", "expected pairs of elements like 3-7,5-9, found '" + whole + "'");
-        return static_cast<int>(number) - 1;
+        return static_cast<int>(number);
     };
     std::vector<std::pair<int, int>> flips;
     for (const std::string& part : parse_list("--flip-edges", text)) {
@@ -130,7 +130,12 @@ void add_mode_options(CLI::App& verb, ArrangeSettings& settings) {
 void add_exemplar_options(CLI::App& verb, ArrangeSettings& settings) {
     add_read_option(verb, "--element", "Whatever these symbols of the grammar draw is one element each", "SYMBOL,..",
                     [&settings](const std::string& text) { settings.raised = parse_list("--element", text); });
-    verb.add_flag("--tile", settings.tile, "The exemplar's canvas is a tile that repeats");
+    CLI::Option* tile = verb.add_flag_callback(
+        "--tile", [&settings] { settings.tile = true; },
+        "The exemplar's canvas is a tile that repeats; without it, if the drawing looks so");
+    verb.add_flag_callback(
+            "--no-tile", [&settings] { settings.tile = false; }, "The exemplar's canvas is no tile, whatever it looks like")
+        ->excludes(tile);
     add_read_option(verb, "--flip-edges",
                     "Neighbours to be exchanged in the exemplar: the other diagonal of the two triangles beside an edge; "
                     "elements as --numbering shows them",
