@@ -20,7 +20,7 @@ enum class PackQuality : std::uint8_t { fast, best };
 
 /// Which angles a shape may have, radians.
 struct PackAngles {
-    std::vector<double> only;               ///< these alone; empty = from low to high
+    std::vector<double> only;  ///< these alone; empty = from low to high
     double low = 0, high = two_pi;
     std::shared_ptr<const FlowField> flow;  ///< angles are measured from its direction; null = from +x
 };
@@ -30,10 +30,16 @@ struct AggregateOptions {
     PackQuality quality = PackQuality::fast;
     double min_scale = 1, max_scale = 1;
     PackAngles angles;
-    std::vector<double> shares;         ///< of the shapes among what is placed; empty = equal
-    double share_tolerance = 0.1;       ///< how far a share may be missed so that filling can go on; 0 = strictly in turn, 1 = whatever fits
-    std::shared_ptr<const DensityPicture> density;  ///< null = everywhere alike
-    std::size_t stop = 0;               ///< cancellations in a row that end it; 0 = the method's own (10,000; 200; 1,000 or as many as are placed, of best 300 or a quarter of them)
+    std::vector<double> shares;  ///< of the shapes among what is placed; empty = equal
+    /// How far a share may be missed so that filling can go on, relative to it (and one shape more or less): 0 = strictly in
+    /// turn, 1 = whatever fits.
+    double share_tolerance = 0.1;
+    /// Shapes keep so far apart that about this part of what would be covered is covered, and of their scales only the lower
+    /// part is drawn; naive darts are thinned out instead. Null = everywhere alike.
+    std::shared_ptr<const DensityPicture> density;
+    /// Cancellations in a row that end it; 0 = the method's own: naive 10,000, gaps 200, settle 1,000 (of quality best 300)
+    /// or a quarter of what is placed.
+    std::size_t stop = 0;
     std::size_t max_count = 1'000'000;  ///< of shapes
     int shakes = 6;                     ///< rounds of quality best
     std::uint64_t seed = 1;

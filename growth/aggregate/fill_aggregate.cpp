@@ -55,9 +55,8 @@ std::size_t AggregateFill::State::stop() const {
     if (options().stop > 0) return options().stop;
     if (options().method == PackMethod::naive) return naive_stop;
     if (options().method == PackMethod::gaps) return gaps_stop;
-    // A count that stays the same would leave larger domains less full. After shaking there is another chance.
-    if (is_best()) return std::max(least_best_stop, packing.placed().size() / 4);
-    return std::max(least_settle_stop, packing.placed().size());
+    // After shaking there is another chance. A count that stays the same would leave larger domains less full.
+    return std::max(is_best() ? least_best_stop : least_settle_stop, packing.placed().size() / 4);
 }
 
 void AggregateFill::State::begin_filling() {

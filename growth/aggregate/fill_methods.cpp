@@ -21,8 +21,8 @@ double greatest_circle(const Packing& packing) {
 
 constexpr std::uint32_t discs_to_start_with = 5;
 constexpr double least_start = 0.6;  // of the disc's radius, that the point must be away from everything
-constexpr double shrink = 0.9;
-constexpr int max_shrinks = 6;
+constexpr double shrink = 0.8;
+constexpr int max_shrinks = 3;
 constexpr double most_growth = 1.6;
 constexpr int growth_halvings = 5;
 

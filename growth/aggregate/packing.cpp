@@ -10,6 +10,8 @@ namespace {
 
 /// Cells across the largest inner disc of the least shape; half as many cost some hundredths of what is filled.
 constexpr double cells_a_disc = 3;
+/// Cells across the radius at most: needles, whose discs are tiny, are left to the exact test.
+constexpr double cells_a_radius = 60;
 constexpr std::size_t max_field_cells = 16'000'000;
 /// Gaps that hold less than this part of the least shape's largest disc are left alone.
 constexpr double least_gap_share = 0.25;
@@ -17,9 +19,10 @@ constexpr double least_gap_share = 0.25;
 constexpr double least_density = 1.0 / 256;
 
 double least_disc(const std::vector<ExclusiveRegion>& regions) {
-    double radius = regions.front().discs.front().radius;
-    for (const ExclusiveRegion& region : regions) radius = std::min(radius, region.discs.front().radius);
-    return radius;
+    const auto disc = [](const ExclusiveRegion& region) {
+        return std::max(region.discs.front().radius, region.radius * cells_a_disc / cells_a_radius);
+    };
+    return disc(*std::ranges::min_element(regions, {}, disc));
 }
 
 double perimeter(const ExclusiveRegion& region) {

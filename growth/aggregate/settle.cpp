@@ -10,8 +10,8 @@ namespace rinceau {
 namespace {
 
 constexpr int max_steps = 12;
-constexpr int patient_steps = 2;         // before the worst lack must fall
-constexpr double falling = 0.9;          // by so much in every step
+constexpr int patient_steps = 1;         // before the worst lack must fall
+constexpr double falling = 0.8;          // by so much in every step
 constexpr double target_cells = 0.3;     // discs are pushed a little farther than they must
 constexpr double tolerance_cells = 0.7;  // by which the field may be wrong
 constexpr double turn_gain = 0.7;
