@@ -1,5 +1,7 @@
 #include "cli/edges_picture.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "geometry/affine.h"
@@ -59,13 +61,21 @@ std::string edges_svg(const FiguredDrawing& drawing, const std::vector<PlacedFig
     const double edge = edges.empty() ? diagonal(canvas) : total / static_cast<double>(edges.size());
     constexpr double line_share = 0.04, dot_share = 0.14;  // of a mean edge
 
+    // What cannot be seen is left out.
+    const Box seen = grown(canvas, edge);
+    const auto is_seen = [&seen](Point p) { return contains(seen, Box{p, p}); };
+    std::vector<PlacedFigure> shown;
+    std::ranges::copy_if(placed, std::back_inserter(shown),
+                         [&](const PlacedFigure& one) { return is_seen(one.pose.translation); });
     std::string lines, dots;
-    for (const auto& [a, b] : edges) lines += "M" + place(position(a)) + "L" + place(position(b));
-    for (const PlacedFigure& one : placed) dots += "M" + place(one.pose.translation) + "h0";
+    for (const auto& [a, b] : edges) {
+        if (is_seen(position(a)) || is_seen(position(b))) lines += "M" + place(position(a)) + "L" + place(position(b));
+    }
+    for (const PlacedFigure& one : shown) dots += "M" + place(one.pose.translation) + "h0";
     const auto drawn = [](const std::string& path, double stroke_width) {
         return "<path stroke-width=\"" + number(stroke_width) + "\" d=\"" + path + "\"/>\n";
     };
-    return opening(canvas) + figures_svg(drawing, placed) +
+    return opening(canvas) + figures_svg(drawing, shown) +
            "<g fill=\"none\" stroke=\"#1f4e9c\" stroke-linecap=\"round\">\n" + drawn(lines, line_share * edge) +
            drawn(dots, dot_share * edge) + "</g>\n</svg>\n";
 }
