@@ -170,7 +170,7 @@ TEST_CASE("what is placed is drawn the same by placements and by a grammar, part
     const FiguredDrawing drawing = figures_of(grammar);
     std::vector<PlacedFigure> placed;
     for (const FigureInstance& instance : drawing.instances) placed.push_back({instance.figure, instance.pose, {}});
-    placed[3].repaint.stroke = Color{0, 128, 0};
+    placed[3].repaints = {{.stroke = Color{0, 128, 0}}, {}};
     const Grammar grown = grammar_of(drawing, placed, {{0, -100}, {100, 0}});
     CHECK(grown.terminals.size() == 2);
     const Scene by_grammar = to_scene(grown, interpret(parse_grammar(to_text(grown))));
