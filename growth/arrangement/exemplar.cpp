@@ -195,20 +195,20 @@ bool outlines_overlap(const ExemplarElement& a, const ExemplarElement& b) {
     return area(intersection_of(a.outline, moved)) > touching * std::min(area(a.outline), area(moved));
 }
 
-/// Do outlines overlap as a rule? What the picture's edge cuts does not count, nor do single ones that touch by chance.
-bool many_overlap(const std::vector<ExemplarPoint>& points, const std::vector<std::pair<int, int>>& pairs,
-                  const Exemplar& exemplar) {
-    constexpr double by_chance = 0.05;  // of the elements
+/// Do outlines of neighbours overlap as a rule, as scales do? What the picture's edge cuts does not count.
+bool neighbours_overlap(const std::vector<ExemplarPoint>& points, const Exemplar& exemplar) {
+    constexpr double as_a_rule = 0.25;  // of the pairs
     const auto is_whole = [&](int p) { return points[static_cast<std::size_t>(p) % points.size()].whole; };
-    std::vector<bool> overlaps(points.size());
-    for (const auto& [p, q] : pairs) {
-        const std::size_t a = static_cast<std::size_t>(p) % points.size();
-        const std::size_t b = static_cast<std::size_t>(q) % points.size();
-        if ((overlaps[a] && overlaps[b]) || !is_whole(p) || !is_whole(q)) continue;
-        if (outlines_overlap(exemplar.elements[static_cast<std::size_t>(p)], exemplar.elements[static_cast<std::size_t>(q)]))
-            overlaps[a] = overlaps[b] = true;
+    std::size_t pairs = 0;
+    std::size_t overlapping = 0;
+    for (const auto& [p, q] : exemplar.edges) {
+        if (static_cast<std::size_t>(p) >= exemplar.originals || !is_whole(p) || !is_whole(q)) continue;
+        ++pairs;
+        const bool over =
+            outlines_overlap(exemplar.elements[static_cast<std::size_t>(p)], exemplar.elements[static_cast<std::size_t>(q)]);
+        overlapping += over ? 1 : 0;
     }
-    return static_cast<double>(std::ranges::count(overlaps, true)) > by_chance * static_cast<double>(points.size());
+    return static_cast<double>(overlapping) > as_a_rule * static_cast<double>(pairs);
 }
 
 /// Is the point among the faces, by the edges of the rim that lie to the right of it?
@@ -255,7 +255,48 @@ void add_figures(const std::vector<ExemplarPoint>& points, std::span<const Point
     constexpr double near = 3;  // mean edges: beyond, distances say nothing about who keeps away from whom
     const auto pairs = near_pairs(exemplar, KdTree(positions), near * exemplar.mean_edge);
     add_min_distances(pairs, exemplar);
-    exemplar.outlines_overlap = many_overlap(points, pairs, exemplar);
+    exemplar.outlines_overlap = neighbours_overlap(points, exemplar);
+}
+
+/// The part of the full circle about an element that its neighbours leave open: the widest angle between two of them that is
+/// at the rim.
+double open_angle(const ExemplarRing& ring) {
+    double widest = ring.offsets.empty() ? two_pi : 0;
+    for (std::size_t k = 0; k < ring.offsets.size(); ++k) {
+        const Point next = ring.offsets[(k + 1) % ring.offsets.size()];
+        double turn = std::atan2(cross(ring.offsets[k], next), dot(ring.offsets[k], next));
+        if (turn <= 0) turn += two_pi;
+        widest = std::max(widest, turn);
+    }
+    return widest;
+}
+
+/// A kind that has no whole ring would vanish: its elements inside serve, or, if all are at the rim, those whose ring is
+/// least open, with the neighbours that they have.
+void serve_kinds_without_ring(const std::vector<ExemplarPoint>& points, const Connectivity& connectivity,
+                              Exemplar& exemplar) {
+    const std::size_t kinds = exemplar.symbols.size();
+    std::vector<bool> served(kinds);
+    std::vector<bool> has_inner(kinds);
+    std::vector<double> least_open(kinds, two_pi);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const auto kind = static_cast<std::size_t>(points[p].symbol);
+        if (!points[p].whole) continue;
+        if (exemplar.elements[p].usable) served[kind] = true;
+        if (connectivity.inner[p]) has_inner[kind] = true;
+        least_open[kind] = std::min(least_open[kind], open_angle(exemplar.elements[p].ring));
+    }
+    constexpr double about = radians(30);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const auto kind = static_cast<std::size_t>(points[p].symbol);
+        const ExemplarRing& ring = exemplar.elements[p].ring;
+        if (served[kind] || !points[p].whole || ring.elements.size() < 2) continue;
+        exemplar.elements[p].usable = has_inner[kind] ? connectivity.inner[p] : open_angle(ring) <= least_open[kind] + about;
+    }
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+        if (!served[kind] && !has_inner[kind] && least_open[kind] < two_pi)
+            exemplar.warnings.push_back("all elements of kind " + exemplar.symbols[kind].name +
+                                        " stand at the rim: they are copied with the neighbours that they have there");
 }
 
 void check_usable(const Exemplar& exemplar, const std::string& label) {
@@ -289,6 +330,7 @@ Exemplar make_exemplar(const std::vector<ExemplarPoint>& points, const std::vect
     if (chosen.lattice) exemplar.lattice = {chosen.lattice->steps, chosen.lattice->basis};
     add_elements(points, positions, chosen, exemplar);
     check_usable(exemplar, label);
+    serve_kinds_without_ring(points, chosen.connectivity, exemplar);
     add_edges(exemplar);
     add_figures(points, positions, chosen.connectivity, exemplar);
     return exemplar;

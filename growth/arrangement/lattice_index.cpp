@@ -238,8 +238,8 @@ bool is_certain(const IndexedPoints& found, std::size_t free) {
 
 /// Steps and faces of the exact lattice with this basis.
 void add_neighbors(PointLattice& lattice) {
-    constexpr int around = 4;  // columns and rows about the middle: beyond them the rim begins
-    constexpr double tie = 0.25;
+    constexpr int around = 4;     // columns and rows about the middle: beyond them the rim begins
+    constexpr double tie = 0.25;  // diamonds up to 6 : 5 are squares with four neighbours, longer ones have six
     std::vector<Site> sites;
     std::vector<Point> points;
     for (int v = -around; v <= around; ++v)

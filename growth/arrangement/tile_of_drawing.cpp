@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
-#include "geometry/delaunay.h"
 #include "geometry/kd_tree.h"
 #include "growth/arrangement/connectivity.h"
+#include "growth/arrangement/kinds.h"
 #include "growth/figure_parts.h"
+#include "scene/input_error.h"
 
 namespace rinceau {
 namespace {
@@ -248,25 +250,30 @@ bool holds_kept_text(const FiguredDrawing& drawing, const FigureInstance& instan
     });
 }
 
-struct LeastAndWidest {
-    double least = INFINITY;  ///< distance of two points
-    double widest = 0;        ///< empty circle among the faces
+/// Least distances per pair of kinds, and the widest gap.
+struct KindDistances {
+    std::map<std::pair<int, int>, double> least;
+    double widest = 0;  ///< radius of the largest empty circle among the faces
 };
 
-LeastAndWidest distances(const std::vector<Point>& points, const std::optional<Box>& within) {
-    LeastAndWidest result;
+KindDistances distances(const std::vector<Point>& points, const std::vector<int>& kinds, const std::optional<Box>& within) {
+    KindDistances result;
     const Connectivity connectivity = connectivity_of(points);
     const auto counts = [&](Point p) {
         return !within || (p.x >= within->low.x && p.x < within->high.x && p.y >= within->low.y && p.y < within->high.y);
     };
     for (const auto& face : connectivity.faces) {
         const FaceCircle circle = face_circle(points, face);
-        const Point first = points[static_cast<std::size_t>(face.front())];
-        if (counts(first))
-            for (const int other : connectivity.rings[static_cast<std::size_t>(face.front())])
-                result.least = std::min(result.least, abs(points[static_cast<std::size_t>(other)] - first));
         if (counts(circle.center)) result.widest = std::max(result.widest, circle.radius);
     }
+    for (std::size_t p = 0; p < points.size(); ++p)
+        for (const int q : connectivity.rings[p]) {
+            if (!counts(points[p])) continue;
+            const int a = kinds[p % kinds.size()];
+            const int b = kinds[static_cast<std::size_t>(q) % kinds.size()];
+            double& least = result.least.try_emplace(std::minmax({a, b}), INFINITY).first->second;
+            least = std::min(least, abs(points[static_cast<std::size_t>(q)] - points[p]));
+        }
     return result;
 }
 
@@ -293,16 +300,33 @@ std::optional<Box> likely_tile(const FiguredDrawing& drawing) {
         if (!instance.whole) return {};
         points.push_back(instance.pose.translation);
     }
-    const LeastAndWidest alone = distances(points, {});
+    const std::vector<int> kinds = element_kinds(drawing).of_instance;
+    const KindDistances alone = distances(points, kinds, {});
     for (int column = -1; column <= 1; ++column)
         for (int row = -1; row <= 1; ++row)
             for (std::size_t i = 0; (column != 0 || row != 0) && i < drawing.instances.size(); ++i)
                 points.push_back(points[i] + Point{column * width(tile), row * height(tile)});
-    const LeastAndWidest repeated = distances(points, tile);
-    constexpr double nearly = 0.9;
+    const KindDistances repeated = distances(points, kinds, tile);
+    constexpr double nearly = 0.7;
     constexpr double hardly = 1.1;
-    if (!(alone.widest > 0) || repeated.least < nearly * alone.least || repeated.widest > hardly * alone.widest) return {};
+    if (!(alone.widest > 0) || repeated.widest > hardly * alone.widest) return {};
+    for (const auto& [pair, least] : repeated.least)
+        if (const auto own = alone.least.find(pair); own != alone.least.end() && least < nearly * own->second) return {};
     return tile;
+}
+
+std::optional<Box> sensible_tile(const FiguredDrawing& drawing, const ExemplarOptions& options) {
+    if (const auto evident = evident_tile(drawing)) return evident;
+    const auto likely = likely_tile(drawing);
+    if (!likely) return {};
+    constexpr std::ptrdiff_t enough = 12;  // usable elements: with fewer, the same ones are seen again and again
+    try {
+        const Exemplar alone = make_exemplar(drawing, options, "");
+        const bool many = std::ranges::count_if(alone.elements, &ExemplarElement::usable) >= enough;
+        return many || !alone.irregular ? std::optional<Box>{} : likely;
+    } catch (const InputError&) {
+        return likely;
+    }
 }
 
 FiguredDrawing as_tile(const FiguredDrawing& drawing, const Box& tile) {
