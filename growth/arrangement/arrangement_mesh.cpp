@@ -38,6 +38,11 @@ ArrangementMesh mesh_of(const ElementArrangement& arrangement, const GrowthGroun
     return mesh;
 }
 
+void move_points(ArrangementMesh& mesh, const ElementArrangement& arrangement) {
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+        mesh.points[i] = arrangement.nodes[static_cast<std::size_t>(mesh.nodes[i])].position;
+}
+
 void drop_covered_seeds(ElementArrangement& arrangement, const GrowthGround& ground) {
     for (std::size_t i = 0; i < arrangement.nodes.size(); ++i) {
         if (!is_seed(arrangement.nodes[i])) continue;

@@ -16,6 +16,9 @@ struct ArrangementMesh {
 
 ArrangementMesh mesh_of(const ElementArrangement& arrangement, const GrowthGround& ground);
 
+/// The points move to where the nodes are now; faces stay.
+void move_points(ArrangementMesh& mesh, const ElementArrangement& arrangement);
+
 /// Seeds that stand so near to an element that no other one fits between are taken out: they have lost their place.
 void drop_covered_seeds(ElementArrangement& arrangement, const GrowthGround& ground);
 

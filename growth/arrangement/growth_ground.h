@@ -38,6 +38,8 @@ struct GrowthGround {
     double largest_radius = 0;                   ///< of an element
     int sub_ids = 0;                          ///< one more than the largest
     bool by_lattice = false;                  ///< neighbours are told by lattice index
+    bool exclusive = false;  ///< along a flow, of outlines that do not overlap: nothing may ever move into another one
+    bool rigid = false;  ///< a regular pattern: what does not fit at a line is left out, and nothing is pushed aside for it
 };
 
 GrowthGround make_ground(const Exemplar& exemplar, const ArrangeSurroundings& around, const ArrangeOptions& options);

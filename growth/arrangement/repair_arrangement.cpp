@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/angle.h"
 #include "geometry/polygon.h"
@@ -107,6 +108,19 @@ bool fill_hole(ElementArrangement& arrangement, const GrowthGround& ground, Ring
     return false;
 }
 
+// Seeds count as points: where one stands growth can go on.
+bool is_hole(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, const HoleLimits& limits) {
+    double nearest = std::numeric_limits<double>::infinity();
+    double clear = nearest;
+    arrangement.grid.visit(at, std::max(limits.empty, limits.gap + ground.largest_radius), [&](int node, Point position) {
+        const double distance = abs(position - at);
+        nearest = std::min(nearest, distance);
+        const ArrangementNode& other = node_of(arrangement, node);
+        clear = std::min(clear, other.reference >= 0 ? distance - radius_of(ground, other) : distance);
+    });
+    return nearest > limits.empty || clear > limits.gap;
+}
+
 }  // namespace
 
 void thin_out(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh) {
@@ -153,24 +167,40 @@ void drop_crowded(ElementArrangement& arrangement, const GrowthGround& ground, d
     }
 }
 
-std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh, double slack,
+HoleLimits hole_limits(const GrowthGround& ground, double slack) {
+    const std::vector<ExemplarElement>& elements = ground.exemplar.elements;
+    std::vector<Point> positions;
+    for (const ExemplarElement& element : elements) positions.push_back(element.position);
+    const Connectivity connectivity = connectivity_of(positions);
+    double gap = 0;
+    for (const std::vector<int>& face : connectivity.faces) {
+        if (!std::all_of(face.begin(), face.end(), [&](int i) { return connectivity.inner[static_cast<std::size_t>(i)]; })) continue;
+        const FaceCircle circle = face_circle(positions, face);
+        double clear = circle.radius;
+        for (const ExemplarElement& element : elements) clear = std::min(clear, abs(element.position - circle.center) - element.radius);
+        gap = std::max(gap, clear);
+    }
+    return {slack * ground.exemplar.largest_empty, gap > 0 ? slack * gap : ground.exemplar.largest_empty};
+}
+
+std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh, const HoleLimits& limits,
                             double share, bool clear) {
     std::vector<std::pair<double, Point>> holes;
-    const double large = slack * ground.exemplar.largest_empty;
     for (const std::vector<int>& face : mesh.connectivity.faces) {
         const FaceCircle circle = face_circle(mesh.points, face);
-        if (circle.radius <= large || circle.radius > largest_hole * ground.exemplar.largest_empty) continue;
+        if (circle.radius > largest_hole * ground.exemplar.largest_empty) continue;
+        // Whoever has gone since the mesh was made leaves a hole that its faces do not show: the next mesh does.
         const bool grown = std::all_of(face.begin(), face.end(), [&](int point) {
-            return node_of(arrangement, mesh.nodes[static_cast<std::size_t>(point)]).reference >= 0;
+            return is_element(node_of(arrangement, mesh.nodes[static_cast<std::size_t>(point)]));
         });
-        if (grown && !is_barred(ground, mesh.points[static_cast<std::size_t>(face.front())], circle.center))
-            holes.push_back({-circle.radius, circle.center});
+        if (!grown || is_barred(ground, mesh.points[static_cast<std::size_t>(face.front())], circle.center)) continue;
+        if (is_hole(arrangement, ground, circle.center, limits)) holes.push_back({-circle.radius, circle.center});
     }
     std::stable_sort(holes.begin(), holes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     RingMatcher matcher(ground, ground.options.weights);
     std::vector<int> filled;
     for (const auto& [negative_radius, center] : holes) {
-        if (nearest_node(arrangement, center, large, -1)) continue;  // filled by then
+        if (!is_hole(arrangement, ground, center, limits)) continue;  // filled by then
         const int seed = add_seed(arrangement, center, -1);
         if (fill_hole(arrangement, ground, matcher, seed, -negative_radius, share, clear))
             filled.push_back(seed);
