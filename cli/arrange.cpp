@@ -20,6 +20,7 @@
 #include "growth/arrangement/paint_order.h"
 #include "growth/arrangement/place_figures.h"
 #include "growth/arrangement/spray.h"
+#include "growth/arrangement/tile_of_drawing.h"
 #include "scene/svg_write.h"
 
 namespace rinceau {
@@ -61,6 +62,7 @@ Grown grow_all(const ArrangeSettings& settings, const Exemplar& exemplar, const 
     bool late = false;
     GrowOrder order;
     if (settings.count) order.count = *settings.count;
+    order.brush = ground.limit;
     if (settings.seconds > 0)
         order.stop = [&late, start, limit = settings.seconds] { return late = late || seconds_since(start) > limit; };
     ProgressBar bar;
@@ -89,17 +91,6 @@ Box box_of(const std::vector<Region>& outlines) {
     return box;
 }
 
-void write_connectivity(const ArrangeSettings& settings, const ElementArrangement& arrangement,
-                        const std::vector<Region>& outlines, const Box& canvas) {
-    if (settings.connectivity.empty()) return;
-    std::vector<PicturedNode> nodes;
-    for (const ArrangedElement& element : arranged_elements(arrangement)) {
-        const std::size_t index = nodes.size();
-        nodes.push_back({.position = element.position, .outline = outlines[index]});
-    }
-    write_output(settings.connectivity, edges_svg(nodes, arranged_edges(arrangement), canvas));
-}
-
 /// What comes into the canvas, in paint order.
 std::vector<PlacedFigure> visible(const std::vector<PlacedFigure>& placed, const std::vector<Region>& outlines,
                                   const std::vector<std::size_t>& order, const Box& canvas) {
@@ -124,13 +115,22 @@ void say_summary(const Grown& grown, const ArrangeSettings& settings) {
         say("warning: no room for more than " + std::to_string(elements) + " elements");
 }
 
+/// The tile that the command line asks for, or that the drawing evidently is.
+std::optional<Box> tile_of(const ArrangeSettings& settings, const GrowthInput& input) {
+    if (settings.tile) return *settings.tile ? std::optional(input.drawing.grammar.canvas) : std::nullopt;
+    const std::optional<Box> tile = likely_tile(input.drawing);
+    if (tile) say(input.label + " looks like a tile that repeats, and is taken for one; --no-tile takes it as it is");
+    return tile;
+}
+
 int run_arrange(const ArrangeSettings& settings) {
     expect_consistent(settings);
     const auto start = Clock::now();
-    const GrowthInput input = read_growth_input(settings.input, {.raised = settings.raised}, settings.growth.threads);
+    GrowthInput input = read_growth_input(settings.input, {.raised = settings.raised}, settings.growth.threads);
     const Box exemplar_canvas = input.drawing.grammar.canvas;
     ExemplarOptions exemplar_options{.flips = settings.flips};
-    if (settings.tile) exemplar_options.tile = exemplar_canvas;
+    exemplar_options.tile = tile_of(settings, input);
+    if (exemplar_options.tile) input.drawing = as_tile(input.drawing, *exemplar_options.tile);
     const Exemplar exemplar = make_exemplar(input.drawing, exemplar_options, input.label);
     if (!settings.numbering.empty()) write_output(settings.numbering, write_svg(connectivity_picture(exemplar)));
     const ArrangeGround ground = read_arrange_ground(settings, exemplar, exemplar_canvas);
@@ -152,7 +152,8 @@ int run_arrange(const ArrangeSettings& settings) {
     const std::vector<PlacedFigure> drawn = visible(placed, outlines, paint_order(exemplar, elements), canvas);
 
     write_growth(drawing, drawn, canvas, settings.output);
-    write_connectivity(settings, grown.arrangement, outlines, canvas);
+    if (!settings.connectivity.empty())
+        write_output(settings.connectivity, edges_svg(drawing, placed, arranged_edges(grown.arrangement), canvas));
     seconds.total = seconds_since(start);
     if (!settings.report.empty())
         write_output(settings.report,

@@ -9,9 +9,9 @@
 namespace rinceau {
 
 struct ArrangementMesh {
-    std::vector<int> nodes;      ///< by point
+    std::vector<int> nodes;  ///< by point
     std::vector<Point> points;
-    Connectivity connectivity;   ///< no face has an edge over a boundary line or one that is far longer than the exemplar's
+    Connectivity connectivity;  ///< no face has an edge over a boundary line or one that is far longer than the exemplar's
 };
 
 ArrangementMesh mesh_of(const ElementArrangement& arrangement, const GrowthGround& ground);

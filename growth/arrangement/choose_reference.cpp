@@ -23,8 +23,7 @@ const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) 
 
 }  // namespace
 
-ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at,
-                                   int except)
+ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, int except)
     : ground_(ground), weights_(ground.options.weights) {
     const Exemplar& exemplar = ground.exemplar;
     if (weights_.repeat != 0) {
@@ -77,17 +76,20 @@ double seed_angle(const ElementArrangement& arrangement, const GrowthGround& gro
     return ring_angle(ground, node_of(arrangement, seed).position, hint);
 }
 
-// The candidates in the order of trying: first what the exemplar has there in the neighbours' eyes, which mostly fits, so that
-// others are soon seen to cost more; then all from a random one on.
-std::vector<int> trial_order(const ElementArrangement& arrangement, const GrowthGround& ground, int seed, const std::vector<int>& candidates,
-                             Random& random) {
+// The candidates in the order of trying: first what the exemplar has there in the neighbours' eyes, which mostly fits, so
+// that others are soon seen to cost more; then all from a random one on.
+std::vector<int> trial_order(const ElementArrangement& arrangement, const GrowthGround& ground, int seed,
+                             const std::vector<int>& candidates, Random& random) {
     std::vector<int> order;
-    const int symbol = candidates.size() == ground.usable.size() ? -1 : ground.exemplar.elements[static_cast<std::size_t>(candidates.front())].symbol;
+    const int symbol = candidates.size() == ground.usable.size()
+                           ? -1
+                           : ground.exemplar.elements[static_cast<std::size_t>(candidates.front())].symbol;
     for (const RingLink& link : node_of(arrangement, seed).links) {
         const RingLink* back = link_to(arrangement, link.other, seed);
         if (back->place < 0) continue;
         const int parent = node_of(arrangement, link.other).reference;
-        const int wanted = ground.exemplar.elements[static_cast<std::size_t>(parent)].ring.elements[static_cast<std::size_t>(back->place)];
+        const int wanted =
+            ground.exemplar.elements[static_cast<std::size_t>(parent)].ring.elements[static_cast<std::size_t>(back->place)];
         const ExemplarElement& element = ground.exemplar.elements[static_cast<std::size_t>(wanted)];
         if (element.usable && (symbol < 0 || element.symbol == symbol)) order.push_back(wanted);
     }
@@ -115,8 +117,7 @@ ReferenceMatch cheapest(const std::vector<int>& candidates, const ReferenceCharg
 ReferenceMatch best_reference(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
                               int seed, const TargetRing& ring, Random& random) {
     const ArrangementNode& node = node_of(arrangement, seed);
-    const std::vector<int> candidates =
-        trial_order(arrangement, ground, seed, candidates_for(ground, node.symbol), random);
+    const std::vector<int> candidates = trial_order(arrangement, ground, seed, candidates_for(ground, node.symbol), random);
     const ReferenceCharges charges(arrangement, ground, node.position, seed);
     const double angle = seed_angle(arrangement, ground, seed);
     ReferenceMatch best = cheapest(candidates, charges, [&](int reference, double base, double limit) {

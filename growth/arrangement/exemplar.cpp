@@ -249,8 +249,12 @@ void add_figures(const std::vector<ExemplarPoint>& points, std::span<const Point
                  const Connectivity& connectivity, Exemplar& exemplar) {
     exemplar.density = density_of(points, connectivity, exemplar.tile);
     exemplar.largest_empty = largest_empty_circle(positions, connectivity, exemplar.tile);
+    // what is cut is never copied: its share is nothing that growth can keep to
+    const bool any_whole = std::ranges::any_of(points, &ExemplarPoint::whole);
+    const auto counts = [&](const ExemplarPoint& p) { return p.whole || !any_whole; };
+    const auto counted = static_cast<double>(std::ranges::count_if(points, counts));
     for (const ExemplarPoint& p : points)
-        exemplar.symbols[static_cast<std::size_t>(p.symbol)].share += 1 / static_cast<double>(points.size());
+        if (counts(p)) exemplar.symbols[static_cast<std::size_t>(p.symbol)].share += 1 / counted;
     for (ExemplarSymbol& symbol : exemplar.symbols) symbol.density = symbol.share * exemplar.density;
     constexpr double near = 3;  // mean edges: beyond, distances say nothing about who keeps away from whom
     const auto pairs = near_pairs(exemplar, KdTree(positions), near * exemplar.mean_edge);

@@ -21,10 +21,10 @@ namespace {
 constexpr int repair_rounds = 4;
 constexpr int angle_rounds = 2;
 constexpr int last_angle_rounds = 4;
-constexpr int last_passes = 60;         // of separation
-constexpr double crowded_share = 0.8;   // of the least distance: nearer, one of two goes
-constexpr double last_share = 0.97;     // the same at the end
-constexpr double hole_slack = 1.05;     // times the largest empty circle of the exemplar
+constexpr int last_passes = 60;           // of separation
+constexpr double crowded_share = 0.8;     // of the least distance: nearer, one of two goes
+constexpr double last_share = 0.97;       // the same at the end
+constexpr double hole_slack = 1.05;       // times the largest empty circle of the exemplar
 constexpr double flow_hole_slack = 1.25;  // where a flow bends rows part: a hole is where another element would stand
 
 std::vector<int> living_nodes(const ElementArrangement& arrangement) {
@@ -81,7 +81,8 @@ ElementArrangement finished(ElementArrangement arrangement, const Exemplar& exem
         report(progress, "finish", static_cast<double>(round) / repair_rounds);
         repair_round(arrangement, ground, limits, round + 1 == repair_rounds);
         if (limited && round + 1 < repair_rounds)
-            arrangement = grow(std::move(arrangement), exemplar, around, {.count = with_spare(order.count), .stop = order.stop});
+            arrangement =
+                grow(std::move(arrangement), exemplar, around, {.count = with_spare(order.count), .stop = order.stop});
     }
     if (repairs) {
         separate(arrangement, ground, living_nodes(arrangement), last_passes);

@@ -59,10 +59,9 @@ std::vector<std::vector<int>> by_stance(const FiguredDrawing& drawing, const std
     return each_again ? stances : std::vector<std::vector<int>>{instances};
 }
 
-/// What paints a figure: of all its parts together.
+/// What of a figure's paint is seen: a black disc is one whether a fill or a dot of a stroke draws it.
 struct FigurePaint {
-    bool fill = false;
-    bool stroke = false;
+    bool hollow = false;  ///< an outline
     std::set<std::string> colors;
     friend auto operator<=>(const FigurePaint&, const FigurePaint&) = default;
 };
@@ -74,16 +73,15 @@ std::string color_name(const Paint& paint, const std::optional<Color>& repaint) 
 }
 
 FigurePaint paint_of(const FiguredDrawing& drawing, const Figure& figure) {
-    FigurePaint paint;
+    constexpr double solid = 0.9;  // of the area within the outline
+    FigurePaint paint{.hollow = area(figure.outline) < solid * area(without_holes(figure.outline))};
     for (const Placement& part : figure.parts) {
         const Terminal& terminal = drawing.grammar.terminals[static_cast<std::size_t>(part.terminal)];
         const int number = part.style != 0 ? part.style : terminal.style;
         const auto found = std::ranges::find(drawing.grammar.styles, number, &NumberedStyle::number);
         const Style style = found == drawing.grammar.styles.end() ? Style{} : found->style;
-        if (paints_fill(style)) paint.colors.insert("f" + color_name(style.fill, part.repaint.fill));
-        if (paints_stroke(style)) paint.colors.insert("s" + color_name(style.stroke.paint, part.repaint.stroke));
-        paint.fill = paint.fill || paints_fill(style);
-        paint.stroke = paint.stroke || paints_stroke(style);
+        if (paints_fill(style)) paint.colors.insert(color_name(style.fill, part.repaint.fill));
+        if (paints_stroke(style)) paint.colors.insert(color_name(style.stroke.paint, part.repaint.stroke));
     }
     return paint;
 }

@@ -14,10 +14,10 @@ struct ElementKinds {
 };
 
 /// A figure that is met often is a kind; with it go the figures of the same terminals, or of the same paint and roundness,
-/// that are about as large. What is left is sorted by what paints it (fill, stroke, and colours if these are few) and by
-/// clearly different sizes, so that 28 different stones are a kind or two; such a kind has the name of its largest figure. A
-/// kind whose elements stand in two to four ways, each of which is met again (upright and upside down), is split by them:
-/// ".2", ".3" stand behind the name.
+/// that are about as large. What is left is sorted by what is seen of its paint (solid or an outline, and colours if these
+/// are few) and by clearly different sizes, so that 28 different stones are a kind or two; such a kind has the name of the
+/// figure that most of its elements are copies of. A kind whose elements stand in two to four ways, each of which is met
+/// again (upright and upside down), is split by them: ".2", ".3" stand behind the name.
 ElementKinds element_kinds(const FiguredDrawing& drawing);
 
 }  // namespace rinceau

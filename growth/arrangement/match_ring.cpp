@@ -17,9 +17,10 @@ namespace rinceau {
 namespace {
 
 constexpr double farthest_pair = 0.75;  // in mean edges: farther places are not the neighbour's
-constexpr double fit_gain = 0.2;         // in mean edges: a fitted turn seldom brings a neighbour nearer by more
-constexpr double turn_weight = 0.1;      // against a ring that is turned otherwise than its neighbours, of the weight of distance
-constexpr double outer_weight = 0.5;    // of the second ring against the first
+constexpr double fit_gain = 0.2;        // in mean edges: a fitted turn seldom brings a neighbour nearer by more
+constexpr double turn_weight =
+    0.1;  // against a ring that is turned otherwise than its neighbours, of the weight of distance
+constexpr double outer_weight = 0.5;  // of the second ring against the first
 
 const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];

@@ -49,7 +49,8 @@ double fitted_angle(const ElementArrangement& arrangement, const GrowthGround& g
 
 bool would_overlap(const ElementArrangement& arrangement, const GrowthGround& ground, int node, Point to) {
     const ArrangementNode& moved = node_of(arrangement, node);
-    return moved.reference >= 0 && !overlapped_elements(arrangement, ground, {moved.reference, to, moved.angle}, node).empty();
+    return moved.reference >= 0 &&
+           !overlapped_elements(arrangement, ground, {moved.reference, to, moved.angle}, node).empty();
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ HoleLimits hole_limits(const GrowthGround& ground, double slack);
 /// Places an element in each hole beyond the limits, where one fits: at no less than `share` of the least distances and, if
 /// `clear`, with no outline over another one. Places where growth can go on are no holes. Returns the new elements, linked
 /// with those around them.
-std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh, const HoleLimits& limits,
-                            double share, bool clear);
+std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh,
+                            const HoleLimits& limits, double share, bool clear);
 
 }  // namespace rinceau

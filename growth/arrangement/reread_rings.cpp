@@ -10,9 +10,9 @@ namespace rinceau {
 
 namespace {
 
-constexpr double fits = 0.35;            // mean edges
+constexpr double fits = 0.35;              // mean edges
 constexpr double misfit_unmatched = 0.75;  // mean edges: farther, no place is matched
-constexpr double missing_cost = 0.4;     // of the weight of distance, for each place of a whole ring that stays empty
+constexpr double missing_cost = 0.4;       // of the weight of distance, for each place of a whole ring that stays empty
 
 ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];
@@ -49,8 +49,8 @@ std::vector<char> relink(ElementArrangement& arrangement, const ArrangementMesh&
     return unchanged;
 }
 
-ReferenceMatch best_reading(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher, int element,
-                            bool whole) {
+ReferenceMatch best_reading(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
+                            int element, bool whole) {
     const ArrangementNode& node = arrangement.nodes[static_cast<std::size_t>(element)];
     const TargetRing ring = target_ring(arrangement, ground, element);
     const ReferenceCharges charges(arrangement, ground, node.position, element);
@@ -70,7 +70,8 @@ ReferenceMatch best_reading(const ElementArrangement& arrangement, const GrowthG
 }
 
 // Places of the ring for an element that stays as it is.
-ReferenceMatch same_reading(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher, int element) {
+ReferenceMatch same_reading(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
+                            int element) {
     const ArrangementNode& node = arrangement.nodes[static_cast<std::size_t>(element)];
     ReferenceMatch match = matcher.match_turned(target_ring(arrangement, ground, element), node.reference, node.angle);
     match.angle = node.angle;

@@ -17,7 +17,11 @@ ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
 }
 
 void move_unless_barred(ElementArrangement& arrangement, const GrowthGround& ground, int node, Point to) {
-    if (!is_barred(ground, node_of(arrangement, node).position, to)) move_node(arrangement, node, to);
+    const ArrangementNode& moved = node_of(arrangement, node);
+    if (is_barred(ground, moved.position, to)) return;
+    if (ground.exclusive && !overlapped_elements(arrangement, ground, {moved.reference, to, moved.angle}, node).empty())
+        return;
+    move_node(arrangement, node, to);
 }
 
 /// An element that is too near, and by how much.
@@ -26,7 +30,8 @@ struct CrowdingElement {
     double missing = 0;
 };
 
-std::vector<CrowdingElement> nearer_than_allowed(const ElementArrangement& arrangement, const GrowthGround& ground, int node) {
+std::vector<CrowdingElement> nearer_than_allowed(const ElementArrangement& arrangement, const GrowthGround& ground,
+                                                 int node) {
     const ArrangementNode& center = arrangement.nodes[static_cast<std::size_t>(node)];
     const auto symbol = static_cast<std::size_t>(center.symbol);
     std::vector<CrowdingElement> near;
@@ -62,7 +67,7 @@ void push_apart(ElementArrangement& arrangement, const GrowthGround& ground, int
 
 void separate(ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<int>& nodes, int passes) {
     std::vector<int> wave = nodes;
-    if (ground.options.mode == RotationMode::flow) passes = 0;
+    if (ground.options.mode == RotationMode::flow && !ground.exemplar.irregular) passes = 0;
     for (int pass = 0; pass < passes && !wave.empty(); ++pass) {
         std::vector<int> moved;
         for (const int node : wave)

@@ -33,7 +33,8 @@ std::vector<int> all_elements(const ElementArrangement& arrangement) {
 }
 
 // Pairs that overlap and have one of the elements in them, each once, sorted.
-std::vector<ElementPair> overlapping_pairs_of(const ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<int>& elements) {
+std::vector<ElementPair> overlapping_pairs_of(const ElementArrangement& arrangement, const GrowthGround& ground,
+                                              const std::vector<int>& elements) {
     std::vector<char> asked(arrangement.nodes.size(), 0);
     std::vector<ElementPair> pairs;
     for (const int element : elements) {
@@ -41,7 +42,8 @@ std::vector<ElementPair> overlapping_pairs_of(const ElementArrangement& arrangem
         if (!is_element(node) || asked[static_cast<std::size_t>(element)] != 0) continue;
         asked[static_cast<std::size_t>(element)] = 1;
         const PlacedReference placed = placed_reference(node);
-        const double reach = ground.exemplar.elements[static_cast<std::size_t>(node.reference)].radius + ground.largest_radius;
+        const double reach =
+            ground.exemplar.elements[static_cast<std::size_t>(node.reference)].radius + ground.largest_radius;
         arrangement.grid.visit(node.position, reach, [&](int other, Point) {
             const ArrangementNode& second = arrangement.nodes[static_cast<std::size_t>(other)];
             if (asked[static_cast<std::size_t>(other)] != 0 || !is_element(second)) return;
@@ -88,7 +90,8 @@ bool exchange(ElementArrangement& arrangement, const GrowthGround& ground, int e
     std::stable_sort(matches.begin(), matches.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
     for (const ReferenceMatch& match : matches) {
         if (is_cut(ground, match.reference, match.angle, node.position)) continue;
-        if (!overlapped_elements(arrangement, ground, {match.reference, node.position, match.angle}, element).empty()) continue;
+        if (!overlapped_elements(arrangement, ground, {match.reference, node.position, match.angle}, element).empty())
+            continue;
         ArrangementNode& changed = node_of(arrangement, element);
         changed.reference = match.reference;
         changed.angle = match.angle;
