@@ -113,8 +113,7 @@ int main(int count, char** values) {
     std::vector<ExemplarCase> all = lattices;
     append(all, strewn);
     append(all, sample_cases(options.only));
-    append(all, drawn_cases(options.corpus + "/arrangement", false, options.only));
-    append(all, drawn_cases(options.corpus + "/arrangement", true, options.only));
+    append(all, drawn_cases(options.corpus + "/arrangement", options.only));
     arrangement_lines(lines, all, options.only, options.pictures);
     arrangement_region_lines(lines, regions, options.only, options.pictures);
     arrangement_mode_lines(lines, modes, options.only, options.pictures);

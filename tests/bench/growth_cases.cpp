@@ -111,14 +111,16 @@ FiguredDrawing figured(const fs::path& file) {
     return figures_of(analyze(drawing.scene).grammar);
 }
 
-ExemplarCase drawn(const fs::path& file, const std::string& name, bool tiled) {
+/// As `rinceau arrange` reads it.
+ExemplarCase drawn(const fs::path& file, const std::string& name) {
     ExemplarCase one{name, Demand::irregular, {}, {}};
     try {
         FiguredDrawing drawing = figured(file);
         ExemplarOptions options;
-        if (tiled) options.tile = drawing.grammar.canvas;
-        if (tiled) drawing = as_tile(std::move(drawing), *options.tile);
+        options.tile = sensible_tile(drawing, options);
+        if (options.tile) drawing = as_tile(std::move(drawing), *options.tile);
         one.exemplar = make_exemplar(drawing, options, file.filename().string());
+        if (options.tile) one.name += ", tiled";
         if (!one.exemplar->irregular) one.demand = Demand::jittered;
     } catch (const std::exception& error) {
         one.fault = error.what();
@@ -168,7 +170,7 @@ std::vector<ExemplarCase> strewn_cases() {
     };
 }
 
-std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, const std::string& only) {
+std::vector<ExemplarCase> drawn_cases(const std::string& folder, const std::string& only) {
     std::vector<fs::path> files;
     if (fs::is_directory(folder))
         for (const auto& entry : fs::directory_iterator(folder))
@@ -176,8 +178,8 @@ std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, con
     std::sort(files.begin(), files.end());
     std::vector<ExemplarCase> cases;
     for (const fs::path& file : files) {
-        const std::string name = file.stem().string() + (tiled ? ", tiled" : "");
-        if (name.find(only) != std::string::npos) cases.push_back(drawn(file, name, tiled));
+        const std::string name = file.stem().string();
+        if (name.find(only) != std::string::npos) cases.push_back(drawn(file, name));
     }
     return cases;
 }
@@ -187,7 +189,7 @@ std::vector<ExemplarCase> sample_cases(const std::string& only) {
     for (const std::string file : {"blocks", "bricks", "dots", "feathers", "rows", "scales", "stones"}) {
         const std::string name = "sample " + file;
         if (name.find(only) == std::string::npos) continue;
-        cases.push_back(drawn(fs::path(RINCEAU_SAMPLES) / "growth" / (file + ".svg"), name, false));
+        cases.push_back(drawn(fs::path(RINCEAU_SAMPLES) / "growth" / (file + ".svg"), name));
     }
     return cases;
 }

@@ -28,9 +28,8 @@ struct ExemplarCase {
 std::vector<ExemplarCase> lattice_cases();
 /// One, two and three kinds of discs, strewn so that none overlap.
 std::vector<ExemplarCase> strewn_cases();
-/// Every SVG of the folder whose case's name holds `only`, through the analyzer; as tiles that their canvas repeats if
-/// `tiled`.
-std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, const std::string& only);
+/// Every SVG of the folder whose name holds `only`, as the command reads it: as a tile if it evidently is one.
+std::vector<ExemplarCase> drawn_cases(const std::string& folder, const std::string& only);
 
 /// Our own exemplars, samples/growth.
 std::vector<ExemplarCase> sample_cases(const std::string& only);
