@@ -149,6 +149,26 @@ void Effects::one(const ReadReplacement& request) {
     });
 }
 
+GrowthStop Effects::begin_growth() {
+    growth_stop_->store(true);
+    return growth_stop_ = std::make_shared<std::atomic<bool>>(false);
+}
+
+void Effects::one(const ReadSource& request) { sources_.start(source_job(request)); }
+
+void Effects::one(const GrowArrangement& request) {
+    growth_.start(arrange_job(request, surroundings_, begin_growth()));
+}
+
+void Effects::one(const FillPattern& request) { growth_.start(fill_job(request, begin_growth())); }
+
+void Effects::one(const MakeGrownDocument& request) { growth_.start(grown_document_job(request)); }
+
+void Effects::one(const EndGrowth& request) {
+    growth_stop_->store(true);
+    if (!request.keep) growth_.stop();
+}
+
 void Effects::one(const CloseWindow&) { closing_ = true; }
 
 }  // namespace rinceau

@@ -7,6 +7,7 @@
 #include "editor/effects/action_queue.h"
 #include "editor/effects/analysis_cache.h"
 #include "editor/effects/file_effects.h"
+#include "editor/effects/growth_jobs.h"
 #include "editor/effects/worker.h"
 #include "editor/model/request.h"
 
@@ -35,7 +36,15 @@ class Effects {
     void one(const ReadReplacement& request);
     void one(const TabulateClusters& request);
     void one(const MapElements& request);
+    void one(const ReadSource& request);
+    void one(const GrowArrangement& request);
+    void one(const FillPattern& request);
+    void one(const MakeGrownDocument& request);
+    void one(const EndGrowth& request);
     void one(const CloseWindow& request);
+
+    /// For growth that begins now; the growth before ends.
+    GrowthStop begin_growth();
 
     ActionQueue& answers_;
     Worker::Post post_;  ///< to the answers, from any thread
@@ -51,6 +60,10 @@ class Effects {
     Worker tools_{post_};
     Worker clusters_{post_};
     Worker maps_{post_};
+    Worker sources_{post_};
+    std::shared_ptr<SurroundingsCache> surroundings_ = std::make_shared<SurroundingsCache>();
+    GrowthStop growth_stop_ = std::make_shared<std::atomic<bool>>(false);
+    Worker growth_{post_};
     bool closing_ = false;
     FileEffects files_;  ///< last: waits for what is to be written while all else is still there
 };

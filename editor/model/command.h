@@ -44,6 +44,7 @@ std::vector<Command> rules_commands();
 std::vector<Command> tools_commands();
 std::vector<Command> canvas_commands();
 std::vector<Command> analysis_commands();
+std::vector<Command> growth_commands();
 std::vector<Command> shell_commands();
 
 /// All of them, menu after menu: names and shortcuts are unique.

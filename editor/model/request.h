@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "analyzer/analyze.h"
+#include "editor/model/arrange_order.h"
 #include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
+#include "editor/model/fill_order.h"
 #include "editor/model/find_selection.h"
 #include "editor/model/preferences.h"
 #include "editor/model/tool_edit.h"
@@ -144,6 +146,32 @@ struct ReadReplacement {
     std::string symbol;
     std::string with;
 };
+/// Answered by SourceRead; a later one takes its place.
+struct ReadSource {
+    std::uint64_t job = 0;
+    SourceQuestion question;
+    std::shared_ptr<const GrowthSource> known;
+};
+// Growth: answered by GrowthProgress, PatternGrown and at last PatternGrown{.done} or GrowthFailed; a later one takes the
+// place of an earlier one.
+struct GrowArrangement {
+    std::uint64_t job = 0;
+    ArrangeOrder order;
+};
+struct FillPattern {
+    std::uint64_t job = 0;
+    FillOrder order;
+};
+/// Answered by GrownDocumentMade or GrowthFailed.
+struct MakeGrownDocument {
+    std::uint64_t job = 0;
+    Document document;
+    std::shared_ptr<const GrownPattern> pattern;
+};
+/// Growth ends; `keep`: with what stands, and is answered, else without an answer.
+struct EndGrowth {
+    bool keep = true;
+};
 struct CloseWindow {};
 
 // clang-format off: one a line, so that the list grows without touching other lines
@@ -163,6 +191,11 @@ using Request = std::variant<
     MapElements,
     RunTool,
     ReadReplacement,
+    ReadSource,
+    GrowArrangement,
+    FillPattern,
+    MakeGrownDocument,
+    EndGrowth,
     CloseWindow,
     StopExport,
     HoldFile,
