@@ -90,10 +90,13 @@ void Effects::one(const MeasureDepth& request) {
         DeriveOptions derive = request.document.derive;
         derive.depth = -1;
         derive.max_seconds = seconds_to_measure;
-        guarded([&] { post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}}); },
-                [&](const std::string&) {
-                    post(RulesAction{DepthMeasured{grammar, -1}});
-                });
+        guarded(
+            [&] {
+                post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}});
+            },
+            [&](const std::string&) {
+                post(RulesAction{DepthMeasured{grammar, -1}});
+            });
     });
 }
 
@@ -130,8 +133,13 @@ void Effects::one(const MapElements& request) { maps_.start(mapping_job(request)
 
 void Effects::one(const RunTool& request) {
     const auto use = [request](const Worker::Post& post) {
-        guarded([&] { post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}}); },
-                [&](std::string message) { post(ToolsAction{ToolFailed{request.job, std::move(message)}}); });
+        guarded(
+            [&] {
+                post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}});
+            },
+            [&](std::string message) {
+                post(ToolsAction{ToolFailed{request.job, std::move(message)}});
+            });
     };
     if (request.at_once) {
         use([this](Action action) { answers_.post(std::move(action)); });
@@ -156,9 +164,7 @@ GrowthStop Effects::begin_growth() {
 
 void Effects::one(const ReadSource& request) { sources_.start(source_job(request)); }
 
-void Effects::one(const GrowArrangement& request) {
-    growth_.start(arrange_job(request, surroundings_, begin_growth()));
-}
+void Effects::one(const GrowArrangement& request) { growth_.start(arrange_job(request, surroundings_, begin_growth())); }
 
 void Effects::one(const FillPattern& request) { growth_.start(fill_job(request, begin_growth())); }
 

@@ -92,9 +92,7 @@ Worker::Job source_job(ReadSource request) {
             post(GrowthAction{SourceRead{request.job, std::make_shared<const GrowthSource>(std::move(source))}});
         };
         guarded([&] { answer(growth_source(request.question, request.known, progress)); },
-                [&](std::string message) {
-                    answer({.question = request.question, .mistake = std::move(message)});
-                });
+                [&](std::string message) { answer({.question = request.question, .mistake = std::move(message)}); });
     };
 }
 

@@ -173,8 +173,8 @@ class Session {
         tools.fonts = screen_.fonts();
         // flags of emphasis count the document's elements
         const PictureEmphasis emphasis = shows_grown(state_) ? PictureEmphasis{} : emphasis_of(state_.canvas);
-        tools.canvas_texture = renderer_.draw(canvas_picture(state_), state_.canvas.view, emphasis,
-                                              {.surround = surround(state_.shell.dark)});
+        tools.canvas_texture =
+            renderer_.draw(canvas_picture(state_), state_.canvas.view, emphasis, {.surround = surround(state_.shell.dark)});
         tools.shortcoming = renderer_.shortcoming();
         thumbnails_.begin_frame();
         tools.thumbnail = [this](int look) { return thumbnail(look); };

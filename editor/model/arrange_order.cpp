@@ -24,9 +24,7 @@ ArrangeOptions options_of(const ArrangementSettings& settings, const Exemplar& e
     return options;
 }
 
-Region region_of_box(const Box& box) {
-    return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}};
-}
+Region region_of_box(const Box& box) { return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}}; }
 
 /// Carries steps out on an arrangement.
 class Steps {
@@ -51,8 +49,7 @@ class Steps {
         const std::size_t begun = grown_.elements;
         while (grown_.elements < wanted && !stopped()) {
             const std::size_t before = grown_.elements;
-            report(watch_.progress, "growing",
-                   static_cast<double>(before - begun) / static_cast<double>(wanted - begun));
+            report(watch_.progress, "growing", static_cast<double>(before - begun) / static_cast<double>(wanted - begun));
             grow_by({.count = std::min(wanted, before + elements_a_look), .stop = watch_.stop});
             if (grown_.elements == before) break;
             look();
@@ -71,9 +68,10 @@ class Steps {
         const std::vector<ArrangedElement> elements = arranged_elements(grown_);
         pattern.placed = placed_figures(*order_.source->drawing, elements);
         for (const auto& [a, b] : arranged_edges(grown_))
-            pattern.edges.push_back({elements[static_cast<std::size_t>(a)].position, elements[static_cast<std::size_t>(b)].position});
-        const Box canvas = order_.settings.fill ? order_.canvas
-                                                : roomy_canvas(order_.canvas, *order_.source->drawing, pattern.placed);
+            pattern.edges.push_back(
+                {elements[static_cast<std::size_t>(a)].position, elements[static_cast<std::size_t>(b)].position});
+        const Box canvas =
+            order_.settings.fill ? order_.canvas : roomy_canvas(order_.canvas, *order_.source->drawing, pattern.placed);
         picture_ = picture_of(*order_.source->drawing, pattern.placed, canvas, picture_);
         pattern.picture = picture_;
         pattern.told = std::to_string(elements.size()) + (elements.size() == 1 ? " element" : " elements");
@@ -103,7 +101,7 @@ ArrangeSurroundings surroundings_of(const ArrangeOrder& order) {
         if (order.guides->flow.empty())
             throw InputError({}, "No flow is drawn yet: take the tool Flow and draw the lines that elements shall follow");
         around.flow = std::make_shared<const FlowField>(
-            make_flow_field(order.guides->flow, order.canvas, {.step = 0.5 * edge, .directed = order.settings.directed}));
+            make_flow_field(order.guides->flow, order.canvas, {.step = 0.5 * edge, .directed = order.settings.directed}, "The flow"));
     }
     if (order.settings.fill || !order.guides->boundary.empty()) {
         std::optional<Region> region;

@@ -115,9 +115,7 @@ std::vector<Command> layout_commands() {
          .label = "Left column",
          .shortcut = "F7",
          .help = "Shows or hides the column of terminals and analysis.",
-         .action = [](const EditorState& state) -> Action {
-             return ShellAction{ShowLeftColumn{!state.shell.shown.left}};
-         },
+         .action = [](const EditorState& state) -> Action { return ShellAction{ShowLeftColumn{!state.shell.shown.left}}; },
          .checked = [](const EditorState& state) { return state.shell.shown.left; }},
         {.name = "view.right",
          .menu = "View/Panels",

@@ -63,8 +63,7 @@ DerivedPicture placed_picture(const std::shared_ptr<const Grammar>& grammar, con
     picture.items.reserve(placements.size());
     for (const Placement& placement : placements) {
         const auto look = index.of(placement, picture.looks);
-        picture.items.push_back(
-            {placement.pose, look, static_cast<std::int32_t>(picture.items.size()), placement.repaint});
+        picture.items.push_back({placement.pose, look, static_cast<std::int32_t>(picture.items.size()), placement.repaint});
     }
     return picture;
 }

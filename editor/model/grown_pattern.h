@@ -16,16 +16,16 @@ namespace rinceau {
 
 struct GrownPattern {
     GrowthTab kind = GrowthTab::arrangement;
-    std::shared_ptr<const GrowthSource> source;  ///< null: nothing has grown yet
+    std::shared_ptr<const GrowthSource> source;             ///< null: nothing has grown yet
     std::shared_ptr<const ElementArrangement> arrangement;  ///< null of an aggregate
     std::vector<PlacedFigure> placed;
-    std::vector<std::array<Point, 2>> edges;  ///< between neighbours of an arrangement
+    std::vector<std::array<Point, 2>> edges;        ///< between neighbours of an arrangement
     std::shared_ptr<const DerivedPicture> picture;  ///< of what is placed, on its canvas; never null
-    std::string told;  ///< how much it is, in words
+    std::string told;                               ///< how much it is, in words
 };
 
-/// The figures of elements of the exemplar, each as it stands in the drawing, turned by the element's angle; with jitter that
-/// the seed draws for each, whatever stands before and after it.
+/// The figures of elements of the exemplar, each as it stands in the drawing, turned by the element's angle; with jitter
+/// that the seed draws for each, whatever stands before and after it.
 std::vector<PlacedFigure> placed_figures(const FiguredDrawing& drawing, const std::vector<ArrangedElement>& elements);
 
 /// An empty canvas to paint on.
@@ -34,8 +34,8 @@ GrownPattern blank_pattern(const Box& canvas);
 /// The box, `factor` times as wide and high about the same middle.
 Box widened(const Box& box, double factor);
 
-/// The picture of what is placed. `before` may be a picture of the same figures, whose grammar is shared if the canvas is the
-/// same, or null.
+/// The picture of what is placed. `before` may be a picture of the same figures, whose grammar is shared if the canvas is
+/// the same, or null.
 std::shared_ptr<const DerivedPicture> picture_of(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed,
                                                  const Box& canvas, const std::shared_ptr<const DerivedPicture>& before);
 

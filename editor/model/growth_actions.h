@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "editor/model/document.h"
-#include "editor/model/growth_settings.h"
 #include "editor/model/grown_pattern.h"
+#include "editor/model/growth_settings.h"
 
 namespace rinceau {
 
@@ -97,9 +97,9 @@ struct GrownDocumentMade {
     Document document;
 };
 
-using GrowthAction =
-    std::variant<OpenGrowth, SetGrowth, TakeBrush, PressBrush, DragBrush, ReleaseBrush, DropStroke, EraseStrokes, ForgetFlips,
-                 BeginGrowth, GrowMore, FinishGrowth, FillAggregate, GrowOtherSeed, StopGrowth, DropGrowth, BringBackGrowth,
-                 UseGrowth, ShowGrowth, SourceRead, GrowthProgress, PatternGrown, GrowthFailed, GrownDocumentMade>;
+using GrowthAction = std::variant<OpenGrowth, SetGrowth, TakeBrush, PressBrush, DragBrush, ReleaseBrush, DropStroke,
+                                  EraseStrokes, ForgetFlips, BeginGrowth, GrowMore, FinishGrowth, FillAggregate,
+                                  GrowOtherSeed, StopGrowth, DropGrowth, BringBackGrowth, UseGrowth, ShowGrowth, SourceRead,
+                                  GrowthProgress, PatternGrown, GrowthFailed, GrownDocumentMade>;
 
 }  // namespace rinceau

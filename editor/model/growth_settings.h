@@ -26,14 +26,14 @@ struct JitterSettings {
 
 struct ArrangementSettings {
     RotationMode mode = RotationMode::fixed;
-    bool directed = true;   ///< flow strokes say forward and back
-    bool two_rings = false; ///< ArrangeOptions::two_rings
+    bool directed = true;                   ///< flow strokes say forward and back
+    bool two_rings = false;                 ///< ArrangeOptions::two_rings
     std::map<std::string, int> priorities;  ///< by ExemplarSymbol::name; the others have 0
     std::size_t count = 200;                ///< elements that grow at once
-    bool fill = false;      ///< grow within the canvas until it is full, whatever the count
-    double canvas = 2;      ///< width and height, of the document's canvas
-    double brush = 3;       ///< radius of the spray, of the exemplar's mean edge
-    bool finish = true;     ///< what has grown by a count or in the canvas is relaxed and repaired at the end
+    bool fill = false;                      ///< grow within the canvas until it is full, whatever the count
+    double canvas = 2;                      ///< width and height, of the document's canvas
+    double brush = 3;                       ///< radius of the spray, of the exemplar's mean edge
+    bool finish = true;  ///< what has grown by a count or in the canvas is relaxed and repaired at the end
     JitterSettings jitter;
     std::uint64_t seed = 1;
 };

@@ -28,8 +28,8 @@ struct GrowthSource {
     std::string mistake;
 };
 
-/// Takes the figures from `known` if they are those that are asked for. What is wrong with the drawing is said in the result;
-/// throws what `progress` throws.
+/// Takes the figures from `known` if they are those that are asked for. What is wrong with the drawing is said in the
+/// result; throws what `progress` throws.
 GrowthSource growth_source(const SourceQuestion& question, const std::shared_ptr<const GrowthSource>& known,
                            const Progress& progress = {});
 

@@ -175,41 +175,12 @@ struct EndGrowth {
 struct CloseWindow {};
 
 // clang-format off: one a line, so that the list grows without touching other lines
-using Request = std::variant<
-    ReadDocument,
-    WriteDocument,
-    WriteExport,
-    DerivePicture,
-    FindSelection,
-    CheckText,
-    MeasureDepth,
-    LightRule,
-    DeriveBefore,
-    RunAnalysis,
-    StopAnalysis,
-    TabulateClusters,
-    MapElements,
-    RunTool,
-    ReadReplacement,
-    ReadSource,
-    GrowArrangement,
-    FillPattern,
-    MakeGrownDocument,
-    EndGrowth,
-    CloseWindow,
-    StopExport,
-    HoldFile,
-    ListFolder,
-    MakeFolder,
-    LookAtPath,
-    ListSamples,
-    WriteRecovery,
-    RemoveRecovery,
-    FindRecoverables,
-    ReadRecovery,
-    DiscardRecovery,
-    WritePreferences
->;
+using Request =
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, CheckText, MeasureDepth, LightRule,
+                 DeriveBefore, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, RunTool, ReadReplacement,
+                 ReadSource, GrowArrangement, FillPattern, MakeGrownDocument, EndGrowth, CloseWindow, StopExport, HoldFile,
+                 ListFolder, MakeFolder, LookAtPath, ListSamples, WriteRecovery, RemoveRecovery, FindRecoverables,
+                 ReadRecovery, DiscardRecovery, WritePreferences>;
 // clang-format on
 using Requests = std::vector<Request>;
 

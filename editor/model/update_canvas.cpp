@@ -1,7 +1,7 @@
 // Looking: pan, zoom, the picture that was asked for.
 
-#include "editor/model/growth_view.h"
 #include "editor/model/update_canvas.h"
+#include "editor/model/growth_view.h"
 
 namespace rinceau {
 namespace {

@@ -70,7 +70,8 @@ void keep_stroke(Update& update, GrowthBrush brush, double reach) {
         guides.flow.push_back(std::move(stroke));
         if (growth.settings.arrangement.mode != RotationMode::flow) {
             growth.settings.arrangement.mode = RotationMode::flow;
-            tell(update, MessageKind::note, "Elements follow the flow from now on: what grows anew is turned along the strokes");
+            tell(update, MessageKind::note,
+                 "Elements follow the flow from now on: what grows anew is turned along the strokes");
         }
     }
     keep_guides(growth, std::move(guides));

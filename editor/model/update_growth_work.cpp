@@ -31,14 +31,13 @@ void start_arranging(Update& update, std::shared_ptr<const GrowthSource> source)
     GrowthState& growth = update.state.growth;
     begin_work(growth, GrowthWork::arranging);
     show_growth(update, true);
-    update.requests.push_back(GrowArrangement{
-        growth.job,
-        {.source = std::move(source),
-         .from = arrangement_to_go_on(growth),
-         .settings = growth.settings.arrangement,
-         .guides = growth.guides,
-         .canvas = growth_canvas(update.state),
-         .steps = std::exchange(growth.waiting, {})}});
+    update.requests.push_back(GrowArrangement{growth.job,
+                                              {.source = std::move(source),
+                                               .from = arrangement_to_go_on(growth),
+                                               .settings = growth.settings.arrangement,
+                                               .guides = growth.guides,
+                                               .canvas = growth_canvas(update.state),
+                                               .steps = std::exchange(growth.waiting, {})}});
 }
 
 void start_filling(Update& update) {
@@ -219,7 +218,8 @@ void perform_one(Update& update, const GrowthProgress& action) {
 void perform_one(Update& update, const PatternGrown& action) {
     GrowthState& growth = update.state.growth;
     if (action.job != growth.job || growth.work == GrowthWork::none) return;
-    const bool other_canvas = growth.grown && growth.grown->picture->grammar->canvas != action.pattern->picture->grammar->canvas;
+    const bool other_canvas =
+        growth.grown && growth.grown->picture->grammar->canvas != action.pattern->picture->grammar->canvas;
     growth.grown = action.pattern;
     if (other_canvas && !growth.sprayed) perform(update, CanvasAction{FitView{}});
     if (!action.done) return;

@@ -60,9 +60,7 @@ void perform_one(Update& update, const SetTextScale& action) {
 
 void perform_one(Update& update, const ShowPanel& action) { show(update.state.shell, action.panel, action.shown); }
 
-void perform_one(Update& update, const ShowLeftColumn& action) {
-    update.state.shell.shown.left = action.shown;
-}
+void perform_one(Update& update, const ShowLeftColumn& action) { update.state.shell.shown.left = action.shown; }
 
 void perform_one(Update& update, const ResizePanels& action) { update.state.shell.sizes = bounded(action.sizes); }
 

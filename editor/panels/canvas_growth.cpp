@@ -31,7 +31,8 @@ void draw_arrow(std::span<const ImVec2> points, ImU32 color, float size) {
     const float length = std::hypot(tip.x - before.x, tip.y - before.y);
     if (length <= 0) return;
     const ImVec2 ahead{(tip.x - before.x) / length * size, (tip.y - before.y) / length * size};
-    ImGui::GetWindowDrawList()->AddTriangleFilled({tip.x + ahead.x, tip.y + ahead.y}, {tip.x - ahead.y / 2, tip.y + ahead.x / 2},
+    ImGui::GetWindowDrawList()->AddTriangleFilled({tip.x + ahead.x, tip.y + ahead.y},
+                                                  {tip.x - ahead.y / 2, tip.y + ahead.x / 2},
                                                   {tip.x + ahead.y / 2, tip.y - ahead.x / 2}, color);
 }
 
@@ -41,13 +42,16 @@ void draw_stroke(const Polyline& stroke, const CanvasPlace& place, const PanelTo
     std::vector<ImVec2> points;
     for (const Point& corner : stroke) points.push_back(to_window(place, corner));
     const ImU32 color = flow ? flow_color : boundary_color;
-    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, thickness * tools.scale);
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0,
+                                            thickness * tools.scale);
     if (flow && points.size() >= 2) draw_arrow(points, color, arrow * tools.scale);
 }
 
 bool is_painting(const EditorState& state) { return state.growth.sprayed || !state.growth.stroke.empty(); }
 
-double reach(const PanelTools& tools, const CanvasPlace& place, float pixels) { return pixels * tools.scale / place.view.zoom; }
+double reach(const PanelTools& tools, const CanvasPlace& place, float pixels) {
+    return pixels * tools.scale / place.view.zoom;
+}
 
 }  // namespace
 
@@ -72,7 +76,8 @@ void draw_growth_overlay(const EditorState& state, const PanelTools& tools, cons
     }
 }
 
-bool paint_growth(Actions& actions, const EditorState& state, const PanelTools& tools, const CanvasPlace& place, bool hovered) {
+bool paint_growth(Actions& actions, const EditorState& state, const PanelTools& tools, const CanvasPlace& place,
+                  bool hovered) {
     const GrowthBrush brush = brush_on_canvas(state);
     if (brush == GrowthBrush::none) return false;
     const Point at = from_window(place, ImGui::GetIO().MousePos);
@@ -83,7 +88,8 @@ bool paint_growth(Actions& actions, const EditorState& state, const PanelTools& 
         return true;
     }
     const bool pans = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
-    if (hovered && !pans && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) actions.push_back(GrowthAction{PressBrush{at, near}});
+    if (hovered && !pans && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        actions.push_back(GrowthAction{PressBrush{at, near}});
     return false;
 }
 

@@ -31,7 +31,8 @@ void draw_canvas_overlay(const EditorState& state, const PanelTools& tools, cons
 void draw_growth_overlay(const EditorState& state, const PanelTools& tools, const CanvasPlace& place, bool hovered);
 
 /// What the mouse does with a brush of growth. True while something is painted: the mouse is for that alone.
-bool paint_growth(Actions& actions, const EditorState& state, const PanelTools& tools, const CanvasPlace& place, bool hovered);
+bool paint_growth(Actions& actions, const EditorState& state, const PanelTools& tools, const CanvasPlace& place,
+                  bool hovered);
 
 /// Index of the handle under the point of the window; -1 = none.
 int handle_at(const EditorState& state, const PanelTools& tools, const CanvasPlace& place, ImVec2 window);

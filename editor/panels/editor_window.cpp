@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
+#include "editor/model/window_layout.h"
 #include "editor/panels/command_menu.h"
 #include "editor/panels/panel.h"
-#include "editor/model/window_layout.h"
 
 namespace rinceau {
 namespace {
@@ -135,8 +135,8 @@ void tab(Drawing& drawing, EditorPanel panel, float width) {
 
 void right_column(Drawing& drawing, const WindowLayout& layout) {
     ImGui::BeginGroup();
-    constexpr std::array<std::pair<EditorPanel, DrawPanel>, 3> panels{{
-        {EditorPanel::rules, rules_panel}, {EditorPanel::tools, tools_panel}, {EditorPanel::growth, growth_panel}}};
+    constexpr std::array<std::pair<EditorPanel, DrawPanel>, 3> panels{
+        {{EditorPanel::rules, rules_panel}, {EditorPanel::tools, tools_panel}, {EditorPanel::growth, growth_panel}}};
     const float width = layout.right / static_cast<float>(panels.size());
     const float height = layout.body - ImGui::GetFrameHeight();
     for (const auto& [panel, draw] : panels) {

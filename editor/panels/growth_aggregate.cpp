@@ -70,7 +70,8 @@ void shapes(GrowthForm& form) {
     constexpr int lines_at_most = 7;
     const int count = static_cast<int>(source->drawing->figures.size());
     const float line = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-    const float height = line * static_cast<float>(std::clamp(count, 1, lines_at_most)) + 2 * ImGui::GetStyle().WindowPadding.y;
+    const float height =
+        line * static_cast<float>(std::clamp(count, 1, lines_at_most)) + 2 * ImGui::GetStyle().WindowPadding.y;
     if (ImGui::BeginChild("shapes", {0, height}, true)) {
         ImGuiListClipper clipper;
         clipper.Begin(count);
@@ -88,9 +89,11 @@ void where(GrowthForm& form) {
     form.text("region", settings.region, "An SVG file whose closed outlines are filled; nothing: the canvas");
     ImGui::BeginDisabled(!settings.region.empty());
     form.number("canvas", settings.canvas, 0.2, largest, step, "%.2f x", "Its width and height beside the drawing's.");
-    form.check("tile", settings.tiled, "What leaves the canvas on one side comes in on the other: no seam when it is repeated.");
+    form.check("tile", settings.tiled,
+               "What leaves the canvas on one side comes in on the other: no seam when it is repeated.");
     ImGui::EndDisabled();
-    form.text("density", settings.density, "A PNG file stretched over the canvas: dense where it is dark; nothing: dense everywhere");
+    form.text("density", settings.density,
+              "A PNG file stretched over the canvas: dense where it is dark; nothing: dense everywhere");
 }
 
 void which_size(GrowthForm& form) {
@@ -99,13 +102,15 @@ void which_size(GrowthForm& form) {
     constexpr double most = 100;
     constexpr float step = 0.01F;
     form.number("smallest", settings.min_scale, least, most, step, "%.2f x", "Least size of a shape beside the drawing's.");
-    form.number("largest", settings.max_scale, least, most, step, "%.2f x", "Greatest size of a shape beside the drawing's.");
+    form.number("largest", settings.max_scale, least, most, step, "%.2f x",
+                "Greatest size of a shape beside the drawing's.");
     if (settings.min_scale > settings.max_scale) {
         const bool raised = form.state().growth.settings.aggregate.max_scale == settings.max_scale;
         (raised ? settings.max_scale : settings.min_scale) = raised ? settings.min_scale : settings.max_scale;
     }
     const double far = diagonal(growth_canvas(form.state()));
-    form.number("margin", settings.margin, -far, far, static_cast<float>(far) / 5000, "%.2f", "What shapes keep from each other.");
+    form.number("margin", settings.margin, -far, far, static_cast<float>(far) / 5000, "%.2f",
+                "What shapes keep from each other.");
     form.check("fill holes", settings.keep_holes, "Shapes may stand in the holes of others.");
     int turn = static_cast<int>(settings.turn);
     form.choice("turned", turn, {"at random", "as they stand", "by quarters", "within"}, "Which angles shapes may have.");
@@ -125,7 +130,8 @@ void how(GrowthForm& form) {
                 "Settle: slid and turned into gaps. Gaps: thrown where there is most room. Darts: thrown anywhere.");
     settings.method = methods[method];
     int quality = static_cast<int>(settings.quality);
-    form.choice("quality", quality, {"fast", "best"}, "Best: shapes grow as far as they can, and all is shaken and filled again.");
+    form.choice("quality", quality, {"fast", "best"},
+                "Best: shapes grow as far as they can, and all is shaken and filled again.");
     settings.quality = static_cast<PackQuality>(quality);
     form.seed(settings.seed);
 }

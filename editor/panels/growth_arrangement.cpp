@@ -26,7 +26,8 @@ void how_much(GrowthForm& form) {
     if (!settings.fill)
         form.count("elements more", settings.count, 1, static_cast<std::size_t>(most_at_once), "How many grow at once.");
     constexpr float step = 0.02F;
-    form.number("canvas", settings.canvas, 0.5, largest_canvas, step, "%.2f x", "Its width and height beside the drawing's.");
+    form.number("canvas", settings.canvas, 0.5, largest_canvas, step, "%.2f x",
+                "Its width and height beside the drawing's.");
     form.seed(settings.seed);
     form.check("finish", settings.finish, "At the end all is relaxed, gaps are filled and overlaps taken away.");
 }

@@ -46,7 +46,9 @@ void GrowthForm::seed(std::uint64_t& value) {
     look("seed", ImGui::InputScalar("seed", ImGuiDataType_U64, &value), "The same seed and settings give the same result.");
 }
 
-void GrowthForm::check(const char* label, bool& value, const char* help) { look(label, ImGui::Checkbox(label, &value), help); }
+void GrowthForm::check(const char* label, bool& value, const char* help) {
+    look(label, ImGui::Checkbox(label, &value), help);
+}
 
 void GrowthForm::text(const char* label, std::string& value, const char* help) {
     look(label, ImGui::InputText(label, &value), help);

@@ -11,7 +11,8 @@ namespace rinceau {
 /// The settings as widgets leave them. Places: "growth/NAME".
 class GrowthForm {
   public:
-    GrowthForm(const EditorState& state, const PanelTools& tools) : settings(state.growth.settings), state_(state), tools_(tools) {}
+    GrowthForm(const EditorState& state, const PanelTools& tools)
+        : settings(state.growth.settings), state_(state), tools_(tools) {}
 
     GrowthSettings settings;
     Actions actions;
