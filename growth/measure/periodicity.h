@@ -1,0 +1,20 @@
+#pragma once
+// Does a pattern repeat itself?
+
+#include <vector>
+
+#include "growth/aggregate/pack_domain.h"
+
+namespace rinceau {
+
+struct RepeatingStep {
+    Point step;
+    double value = 0;  ///< of the autocorrelation, at most 1
+};
+
+/// Where the autocorrelation of what the regions cover is highest, of steps that are longer than `shortest` and at most half
+/// of the domain's width and height: 1 for a pattern that comes again after that step, near 0 for one without period. Steps
+/// at which less than a quarter of the domain meets itself are left out. On a tile, steps lead round it.
+RepeatingStep strongest_repeat(const std::vector<Region>& regions, const PackDomain& domain, double shortest);
+
+}  // namespace rinceau
