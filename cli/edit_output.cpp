@@ -1,5 +1,7 @@
 #include "cli/edit_output.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "cli/derive_options.h"
@@ -56,7 +58,8 @@ void add_edit_options(CLI::App& verb, EditFiles& files) {
 
 void expect_edit_output(const EditFiles& files) {
     const FileFormat format = format_of(files.output, FileFormat::lsys);
-    if (format == FileFormat::unknown || format == FileFormat::json || format == FileFormat::csv)
+    constexpr std::array<FileFormat, 4> written{FileFormat::lsys, FileFormat::svg, FileFormat::png, FileFormat::pdf};
+    if (std::ranges::find(written, format) == written.end())
         throw CLI::ValidationError("-o",
                                    "expected a name that ends in .lsys, .svg, .png or .pdf, found '" + files.output + "'");
     expect_writable(files.output);
