@@ -5,6 +5,7 @@
 
 #include "analyzer/analyze.h"
 #include "editor/effects/analysis_jobs.h"
+#include "editor/effects/growth_jobs.h"
 #include "editor/effects/guarded.h"
 #include "editor/effects/progress_posts.h"
 #include "editor/effects/read_tool_replacement.h"
@@ -25,7 +26,10 @@ constexpr std::size_t elements_at_once = 20'000;
 }  // namespace
 
 Effects::Effects(ActionQueue& answers, const KeptFolders& folders)
-    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }), files_(answers, folders) {}
+    : answers_(answers),
+      post_([&answers](Action action) { answers.post(std::move(action)); }),
+      surroundings_(std::make_shared<SurroundingsCache>()),
+      files_(answers, folders) {}
 
 void Effects::fulfil(const Request& request) {
     std::visit(

@@ -1,17 +1,19 @@
 #pragma once
 // Fulfils what update() asks for.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
 #include "editor/effects/action_queue.h"
 #include "editor/effects/analysis_cache.h"
 #include "editor/effects/file_effects.h"
-#include "editor/effects/growth_jobs.h"
 #include "editor/effects/worker.h"
 #include "editor/model/request.h"
 
 namespace rinceau {
+
+class SurroundingsCache;  // growth_jobs.h
 
 /// Pictures that were quick to derive are derived at once, so that a drag is seen in the same frame; the others, files and
 /// analyses on threads. Answers come through the queue. Never throws.
@@ -44,7 +46,7 @@ class Effects {
     void one(const CloseWindow& request);
 
     /// For growth that begins now; the growth before ends.
-    GrowthStop begin_growth();
+    std::shared_ptr<std::atomic<bool>> begin_growth();
 
     ActionQueue& answers_;
     Worker::Post post_;  ///< to the answers, from any thread
@@ -61,8 +63,8 @@ class Effects {
     Worker clusters_{post_};
     Worker maps_{post_};
     Worker sources_{post_};
-    std::shared_ptr<SurroundingsCache> surroundings_ = std::make_shared<SurroundingsCache>();
-    GrowthStop growth_stop_ = std::make_shared<std::atomic<bool>>(false);
+    std::shared_ptr<SurroundingsCache> surroundings_;
+    std::shared_ptr<std::atomic<bool>> growth_stop_ = std::make_shared<std::atomic<bool>>(false);
     Worker growth_{post_};
     bool closing_ = false;
     FileEffects files_;  ///< last: waits for what is to be written while all else is still there

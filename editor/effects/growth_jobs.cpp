@@ -101,7 +101,7 @@ Worker::Job arrange_job(GrowArrangement request, std::shared_ptr<SurroundingsCac
                                                                                             const Worker::Post& post) {
         Watcher watcher(request.job, stop, progress, post);
         const auto work = [&] {
-            watcher.show(arranged(request.order, cache->surroundings(request.order), watcher.watch()), true);
+            watcher.show(arranged(*request.order, cache->surroundings(*request.order), watcher.watch()), true);
         };
         guarded(work, [&](std::string message) { watcher.fail(std::move(message)); });
     };
@@ -111,8 +111,8 @@ Worker::Job fill_job(FillPattern request, GrowthStop stop) {
     return [request = std::move(request), stop = std::move(stop)](const Progress& progress, const Worker::Post& post) {
         Watcher watcher(request.job, stop, progress, post);
         const auto work = [&] {
-            const FillFiles files = read_files(request.order.settings);
-            watcher.show(filled(request.order, files, watcher.watch()), true);
+            const FillFiles files = read_files(request.order->settings);
+            watcher.show(filled(*request.order, files, watcher.watch()), true);
         };
         guarded(work, [&](std::string message) { watcher.fail(std::move(message)); });
     };

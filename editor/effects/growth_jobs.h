@@ -6,6 +6,8 @@
 #include <mutex>
 
 #include "editor/effects/worker.h"
+#include "editor/model/arrange_order.h"
+#include "editor/model/fill_order.h"
 #include "editor/model/request.h"
 
 namespace rinceau {

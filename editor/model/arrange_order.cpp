@@ -39,9 +39,10 @@ class Steps {
     bool stopped() const { return watch_.stop && watch_.stop(); }
 
     void perform(const SprayStep& step) {
-        if (step.plants) grown_ = with_seed(std::move(grown_), exemplar_, around_, step.brush.center);
-        grow_by({.brush = step.brush, .stop = watch_.stop});
+        if (step.plants) grown_ = with_seed(std::move(grown_), exemplar_, around_, step.center);
+        grow_by({.brush = Brush{step.center, step.radius}, .stop = watch_.stop});
     }
+    void perform(const ShowStep&) {}
     void perform(const GrowStep& step) {
         if (grown_.elements == 0) grown_ = with_seed(std::move(grown_), exemplar_, around_, center(order_.canvas));
         const std::size_t room = most_elements - std::min(most_elements, grown_.elements);
@@ -100,8 +101,8 @@ ArrangeSurroundings surroundings_of(const ArrangeOrder& order) {
     if (order.settings.mode == RotationMode::flow) {
         if (order.guides->flow.empty())
             throw InputError({}, "No flow is drawn yet: take the tool Flow and draw the lines that elements shall follow");
-        around.flow = std::make_shared<const FlowField>(
-            make_flow_field(order.guides->flow, order.canvas, {.step = 0.5 * edge, .directed = order.settings.directed}, "The flow"));
+        around.flow = std::make_shared<const FlowField>(make_flow_field(
+            order.guides->flow, order.canvas, {.step = 0.5 * edge, .directed = order.settings.directed}, "The flow"));
     }
     if (order.settings.fill || !order.guides->boundary.empty()) {
         std::optional<Region> region;

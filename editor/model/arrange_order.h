@@ -2,33 +2,12 @@
 // What an arrangement is to do next, as a value: carried out where it may take its time.
 
 #include <memory>
-#include <variant>
 #include <vector>
 
+#include "editor/model/arrange_steps.h"
 #include "editor/model/growth_watch.h"
 
 namespace rinceau {
-
-/// Everything below the brush grows.
-struct SprayStep {
-    Brush brush;
-    bool plants = false;  ///< a first element may stand at its centre if nothing stands near
-};
-/// So many elements more; 0 = until no more can grow.
-struct GrowStep {
-    std::size_t more = 0;
-};
-/// The whole is relaxed; `repair`: and repaired, if the exemplar is irregular.
-struct FinishStep {
-    bool repair = true;
-};
-using ArrangeStep = std::variant<SprayStep, GrowStep, FinishStep>;
-
-/// Strokes that were drawn on the canvas.
-struct GuideLines {
-    std::vector<Polyline> flow;
-    std::vector<Polyline> boundary;
-};
 
 struct ArrangeOrder {
     std::shared_ptr<const GrowthSource> source;  ///< with an exemplar

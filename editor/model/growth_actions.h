@@ -7,10 +7,13 @@
 #include <variant>
 
 #include "editor/model/document.h"
-#include "editor/model/grown_pattern.h"
 #include "editor/model/growth_settings.h"
+#include "geometry/point.h"
 
 namespace rinceau {
+
+struct GrowthSource;  // growth_source.h
+struct GrownPattern;  // grown_pattern.h
 
 /// The panel is shown with this tab.
 struct OpenGrowth {

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "growth/aggregate/aggregate_options.h"
-#include "growth/arrangement/arrange_options.h"
+#include "growth/aggregate/pack_method.h"
+#include "growth/arrangement/rotation_mode.h"
 
 namespace rinceau {
 

@@ -3,23 +3,13 @@
 
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "editor/model/source_question.h"
 #include "geometry/progress.h"
 #include "growth/arrangement/exemplar.h"
 #include "growth/figures.h"
 
 namespace rinceau {
-
-/// What is to be read, and how.
-struct SourceQuestion {
-    std::shared_ptr<const Grammar> grammar;  ///< with all that it uses
-    std::string raised;                      ///< GrowthSettings
-    bool group = true;
-    std::vector<std::pair<int, int>> flips;  ///< ExemplarOptions
-    friend bool operator==(const SourceQuestion&, const SourceQuestion&) = default;
-};
 
 struct GrowthSource {
     SourceQuestion question;

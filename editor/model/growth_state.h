@@ -8,9 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "editor/model/arrange_order.h"
+#include "editor/model/arrange_steps.h"
+#include "editor/model/growth_settings.h"
+#include "editor/model/source_question.h"
 
 namespace rinceau {
+
+struct GrowthSource;  // growth_source.h
+struct GrownPattern;  // grown_pattern.h
 
 enum class GrowthWork : unsigned char { none, arranging, filling, using_it };
 
@@ -24,7 +29,7 @@ struct GrowthState {
     std::shared_ptr<const Grammar> followed;  ///< the document's, as it was last looked at
 
     std::shared_ptr<const GuideLines> guides = std::make_shared<const GuideLines>();
-    Polyline stroke;               ///< that is being drawn
+    DrawnStroke stroke;            ///< that is being drawn
     std::optional<Point> sprayed;  ///< where the spray last was, while it is pressed
 
     GrowthWork work = GrowthWork::none;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "editor/model/grown_pattern.h"
+
 namespace rinceau {
 namespace {
 

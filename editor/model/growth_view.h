@@ -12,6 +12,8 @@
 
 namespace rinceau {
 
+struct Exemplar;  // growth/arrangement/exemplar.h
+
 /// Is the panel of growth open?
 bool growth_is_open(const EditorState& state);
 

@@ -8,17 +8,21 @@
 #include <vector>
 
 #include "analyzer/analyze.h"
-#include "editor/model/arrange_order.h"
 #include "editor/model/derived_picture.h"
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
-#include "editor/model/fill_order.h"
 #include "editor/model/find_selection.h"
 #include "editor/model/preferences.h"
+#include "editor/model/source_question.h"
 #include "editor/model/tool_edit.h"
 #include "editor/model/view_transform.h"
 
 namespace rinceau {
+
+struct ArrangeOrder;  // arrange_order.h
+struct FillOrder;     // fill_order.h
+struct GrownPattern;  // grown_pattern.h
+struct GrowthSource;  // growth_source.h
 
 /// Answered by FileOpened or FileFailed.
 struct ReadDocument {
@@ -156,11 +160,11 @@ struct ReadSource {
 // place of an earlier one.
 struct GrowArrangement {
     std::uint64_t job = 0;
-    ArrangeOrder order;
+    std::shared_ptr<const ArrangeOrder> order;
 };
 struct FillPattern {
     std::uint64_t job = 0;
-    FillOrder order;
+    std::shared_ptr<const FillOrder> order;
 };
 /// Answered by GrownDocumentMade or GrowthFailed.
 struct MakeGrownDocument {

@@ -12,7 +12,13 @@ void perform_one(Update& update, const OpenGrowth& action) {
     update.state.shell.focus_wanted = EditorPanel::growth;
 }
 
-void perform_one(Update& update, const SetGrowth& action) { update.state.growth.settings = action.settings; }
+void perform_one(Update& update, const SetGrowth& action) {
+    GrowthState& growth = update.state.growth;
+    const bool jitters = growth.settings.arrangement.jitter != action.settings.arrangement.jitter;
+    growth.settings = action.settings;
+    const bool waits = !growth.waiting.empty() && std::holds_alternative<ShowStep>(growth.waiting.back());
+    if (jitters && !waits && growth.grown && growth.grown->arrangement) ask_for_growth(update, {ShowStep{}});
+}
 
 void perform_one(Update& update, const ShowGrowth& action) { show_growth(update, action.shown); }
 

@@ -1,6 +1,8 @@
 #pragma once
 // What the parts of update() for growth share. Internal to the folder.
 
+#include "editor/model/arrange_order.h"
+#include "editor/model/fill_order.h"
 #include "editor/model/growth_view.h"
 #include "editor/model/update_parts.h"
 

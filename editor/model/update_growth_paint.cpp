@@ -30,7 +30,7 @@ void begin_spray(Update& update, Point at) {
         return;
     }
     update.state.growth.sprayed = at;
-    ask_for_growth(update, {SprayStep{{at, radius}, true}});
+    ask_for_growth(update, {SprayStep{at, radius, true}});
 }
 
 /// Steps short enough that the brush leaves no gap.
@@ -45,14 +45,14 @@ void spray_to(Update& update, Point to) {
     std::vector<ArrangeStep> steps;
     for (int i = 1; i <= count; ++i) {
         const Point at = from + (step * radius * i / abs(to - from)) * (to - from);
-        steps.push_back(SprayStep{{at, radius}, false});
+        steps.push_back(SprayStep{at, radius, false});
         growth.sprayed = at;
     }
     ask_for_growth(update, std::move(steps));
 }
 
 /// A line that ends where it begins, nearly, is closed.
-Polyline closed_if_near(Polyline stroke, double reach) {
+DrawnStroke closed_if_near(DrawnStroke stroke, double reach) {
     constexpr std::size_t least = 4;
     constexpr double near = 4;  // times the reach: a hand closes a line less well than it hits one
     if (stroke.size() >= least && abs(stroke.back() - stroke.front()) <= near * reach) stroke.push_back(stroke.front());
@@ -61,7 +61,7 @@ Polyline closed_if_near(Polyline stroke, double reach) {
 
 void keep_stroke(Update& update, GrowthBrush brush, double reach) {
     GrowthState& growth = update.state.growth;
-    Polyline stroke = std::exchange(growth.stroke, {});
+    DrawnStroke stroke = std::exchange(growth.stroke, {});
     if (stroke.size() < 2) return;
     GuideLines guides = *growth.guides;
     if (brush == GrowthBrush::boundary) {
@@ -122,7 +122,7 @@ void perform_one(Update& update, const DropStroke&) {
 void perform_one(Update& update, const EraseStrokes& action) {
     GrowthState& growth = update.state.growth;
     GuideLines guides = *growth.guides;
-    std::vector<Polyline>& lines = action.of == GrowthBrush::boundary ? guides.boundary : guides.flow;
+    std::vector<DrawnStroke>& lines = action.of == GrowthBrush::boundary ? guides.boundary : guides.flow;
     if (lines.empty()) return;
     lines.resize(action.all ? 0 : lines.size() - 1);
     keep_guides(growth, std::move(guides));

@@ -31,13 +31,13 @@ void start_arranging(Update& update, std::shared_ptr<const GrowthSource> source)
     GrowthState& growth = update.state.growth;
     begin_work(growth, GrowthWork::arranging);
     show_growth(update, true);
-    update.requests.push_back(GrowArrangement{growth.job,
-                                              {.source = std::move(source),
-                                               .from = arrangement_to_go_on(growth),
-                                               .settings = growth.settings.arrangement,
-                                               .guides = growth.guides,
-                                               .canvas = growth_canvas(update.state),
-                                               .steps = std::exchange(growth.waiting, {})}});
+    ArrangeOrder order{.source = std::move(source),
+                       .from = arrangement_to_go_on(growth),
+                       .settings = growth.settings.arrangement,
+                       .guides = growth.guides,
+                       .canvas = growth_canvas(update.state),
+                       .steps = std::exchange(growth.waiting, {})};
+    update.requests.push_back(GrowArrangement{growth.job, std::make_shared<const ArrangeOrder>(std::move(order))});
 }
 
 void start_filling(Update& update) {
@@ -48,8 +48,8 @@ void start_filling(Update& update) {
         return;
     }
     begin_work(growth, GrowthWork::filling);
-    update.requests.push_back(
-        FillPattern{growth.job, {growth.source, growth.settings.aggregate, growth_canvas(update.state)}});
+    FillOrder order{growth.source, growth.settings.aggregate, growth_canvas(update.state)};
+    update.requests.push_back(FillPattern{growth.job, std::make_shared<const FillOrder>(std::move(order))});
 }
 
 void tell_grown(Update& update, const GrownPattern& pattern) {

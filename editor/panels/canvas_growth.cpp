@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "editor/model/grown_pattern.h"
 #include "editor/model/growth_view.h"
 #include "editor/panels/canvas_parts.h"
 
@@ -36,14 +37,14 @@ void draw_arrow(std::span<const ImVec2> points, ImU32 color, float size) {
                                                   {tip.x + ahead.y / 2, tip.y - ahead.x / 2}, color);
 }
 
-void draw_stroke(const Polyline& stroke, const CanvasPlace& place, const PanelTools& tools, bool flow) {
+void draw_stroke(const DrawnStroke& stroke, const CanvasPlace& place, const PanelTools& tools, bool flow) {
     constexpr float thickness = 2.5F;
     constexpr float arrow = 12;
     std::vector<ImVec2> points;
     for (const Point& corner : stroke) points.push_back(to_window(place, corner));
     const ImU32 color = flow ? flow_color : boundary_color;
-    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0,
-                                            thickness * tools.scale);
+    ImGui::GetWindowDrawList()->AddDrawnStroke(points.data(), static_cast<int>(points.size()), color, 0,
+                                               thickness * tools.scale);
     if (flow && points.size() >= 2) draw_arrow(points, color, arrow * tools.scale);
 }
 
@@ -66,8 +67,8 @@ void draw_growth_overlay(const EditorState& state, const PanelTools& tools, cons
     const GrowthBrush brush = brush_on_canvas(state);
     const bool draws = brush == GrowthBrush::flow || brush == GrowthBrush::boundary;
     if (shows_grown(state) || draws) {
-        for (const Polyline& stroke : state.growth.guides->flow) draw_stroke(stroke, place, tools, true);
-        for (const Polyline& stroke : state.growth.guides->boundary) draw_stroke(stroke, place, tools, false);
+        for (const DrawnStroke& stroke : state.growth.guides->flow) draw_stroke(stroke, place, tools, true);
+        for (const DrawnStroke& stroke : state.growth.guides->boundary) draw_stroke(stroke, place, tools, false);
     }
     if (draws) draw_stroke(state.growth.stroke, place, tools, brush == GrowthBrush::flow);
     if (brush == GrowthBrush::spray && (hovered || is_painting(state))) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "editor/model/growth_source.h"
 #include "editor/model/growth_view.h"
 #include "editor/model/tool_view.h"
 #include "editor/panels/growth_parts.h"

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "editor/model/growth_source.h"
 #include "editor/model/growth_view.h"
 #include "editor/panels/growth_parts.h"
 

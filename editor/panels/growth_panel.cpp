@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/model/grown_pattern.h"
 #include "editor/model/growth_view.h"
 #include "editor/panels/command_menu.h"
 #include "editor/panels/growth_parts.h"

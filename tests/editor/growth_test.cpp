@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "editor/effects/read_document.h"
+#include "editor/model/arrange_order.h"
 #include "editor/model/command.h"
 #include "editor/model/growth_view.h"
 #include "editor/model/update.h"
@@ -63,8 +64,8 @@ std::shared_ptr<const GrowthSource> row_source(const SourceQuestion& question) {
         exemplar.elements.push_back({.position = at, .radius = 3});
         if (i > 0) exemplar.edges.push_back({i - 1, i});
     }
-    return std::make_shared<const GrowthSource>(
-        GrowthSource{question, std::make_shared<const FiguredDrawing>(drawing), std::make_shared<const Exemplar>(exemplar), {}});
+    return std::make_shared<const GrowthSource>(GrowthSource{
+        question, std::make_shared<const FiguredDrawing>(drawing), std::make_shared<const Exemplar>(exemplar), {}});
 }
 
 std::shared_ptr<const GrownPattern> two_dots(const std::shared_ptr<const GrowthSource>& source) {
@@ -91,7 +92,7 @@ Desk grown_desk() {
     desk.act(BeginGrowth{});
     REQUIRE(desk.newest<GrowArrangement>() != nullptr);
     const GrowArrangement asked = *desk.newest<GrowArrangement>();
-    desk.act(PatternGrown{asked.job, two_dots(asked.order.source), true});
+    desk.act(PatternGrown{asked.job, two_dots(asked.order->source), true});
     return desk;
 }
 
@@ -163,36 +164,37 @@ TEST_CASE("steps of the spray wait for those before them, and none is lost") {
     CHECK(radius == Approx(30));
     desk.act(PressBrush{{0, 0}, 1});
     const GrowArrangement first = *desk.newest<GrowArrangement>();
-    REQUIRE(first.order.steps.size() == 1);
-    CHECK(std::get<SprayStep>(first.order.steps[0]).plants);
+    REQUIRE(first.order->steps.size() == 1);
+    CHECK(std::get<SprayStep>(first.order->steps[0]).plants);
     desk.requests.clear();
     desk.act(DragBrush{{4 * radius, 0}, 1});
     desk.act(DragBrush{{4 * radius, 2 * radius}, 1});
     desk.act(ReleaseBrush{1});
     CHECK(desk.newest<GrowArrangement>() == nullptr);  // the first one runs
-    desk.act(PatternGrown{first.job, two_dots(first.order.source), true});
+    desk.act(PatternGrown{first.job, two_dots(first.order->source), true});
     REQUIRE(desk.newest<GrowArrangement>() != nullptr);
-    const std::vector<ArrangeStep> steps = desk.newest<GrowArrangement>()->order.steps;
+    const std::vector<ArrangeStep> steps = desk.newest<GrowArrangement>()->order->steps;
     REQUIRE(steps.size() == 12);
     Point last{0, 0};
     for (const ArrangeStep& step : steps) {
         const SprayStep& spray = std::get<SprayStep>(step);
         CHECK_FALSE(spray.plants);
-        CHECK(abs(spray.brush.center - last) <= 0.5 * radius + 1e-9);
-        last = spray.brush.center;
+        CHECK(abs(spray.center - last) <= 0.5 * radius + 1e-9);
+        last = spray.center;
     }
     CHECK(abs(last - Point{4 * radius, 2 * radius}) < 1e-9);
-    CHECK(desk.newest<GrowArrangement>()->order.from == desk.state.growth.grown);
+    CHECK(desk.newest<GrowArrangement>()->order->from == desk.state.growth.grown);
 }
 
 TEST_CASE("strokes are drawn by dragging, closed where they end near their begin, and erased again") {
     Desk desk = ready_desk();
     desk.act(TakeBrush{GrowthBrush::boundary});
     desk.act(PressBrush{{0, 0}, 1});
-    for (const Point to : {Point{50, 0}, Point{50, 50}, Point{50.2, 50}, Point{0, 50}, Point{0, 2}}) desk.act(DragBrush{to, 1});
+    for (const Point to : {Point{50, 0}, Point{50, 50}, Point{50.2, 50}, Point{0, 50}, Point{0, 2}})
+        desk.act(DragBrush{to, 1});
     desk.act(ReleaseBrush{1});
     REQUIRE(desk.state.growth.guides->boundary.size() == 1);
-    const Polyline& ring = desk.state.growth.guides->boundary[0];
+    const DrawnStroke& ring = desk.state.growth.guides->boundary[0];
     CHECK(ring.size() == 6);  // the step shorter than the reach is left out, the end is the begin
     CHECK(ring.front() == ring.back());
     desk.act(TakeBrush{GrowthBrush::flow});
@@ -205,7 +207,7 @@ TEST_CASE("strokes are drawn by dragging, closed where they end near their begin
     desk.act(PressBrush{{0, 0}, 1});
     desk.act(DragBrush{{50, 0}, 1});
     desk.act(ReleaseBrush{1});
-    CHECK(desk.state.growth.guides->flow == std::vector<Polyline>{{{0, 0}, {50, 0}}});
+    CHECK(desk.state.growth.guides->flow == std::vector<DrawnStroke>{{{0, 0}, {50, 0}}});
     CHECK(desk.state.growth.settings.arrangement.mode == RotationMode::flow);
     desk.command("growth.erase_boundary");
     CHECK(desk.state.growth.guides->boundary.empty());
@@ -240,7 +242,7 @@ TEST_CASE("Esc stops what grows, keeps what stands, then puts the brush away, th
     desk.command("select.none");
     REQUIRE(desk.newest<EndGrowth>() != nullptr);
     CHECK(desk.newest<EndGrowth>()->keep);
-    desk.act(PatternGrown{asked.job, two_dots(asked.order.source), true});
+    desk.act(PatternGrown{asked.job, two_dots(asked.order->source), true});
     CHECK(has_grown(desk.state));
     CHECK(desk.state.growth.work == GrowthWork::none);
     desk.command("select.none");
@@ -259,7 +261,7 @@ TEST_CASE("what was dropped brings nothing any more, and another document begins
     const GrowArrangement asked = *desk.newest<GrowArrangement>();
     desk.act(DropGrowth{});
     CHECK_FALSE(desk.newest<EndGrowth>()->keep);
-    desk.act(PatternGrown{asked.job, two_dots(asked.order.source), true});
+    desk.act(PatternGrown{asked.job, two_dots(asked.order->source), true});
     CHECK_FALSE(has_grown(desk.state));
     desk = grown_desk();
     desk.act(Action{FileAction{NewDocument{}}});
@@ -277,7 +279,7 @@ TEST_CASE("an aggregate waits for the shapes, shows what is placed, and failures
     desk.act(SourceRead{source.job, row_source(source.question)});
     REQUIRE(desk.newest<FillPattern>() != nullptr);
     const FillPattern asked = *desk.newest<FillPattern>();
-    desk.act(PatternGrown{asked.job, two_dots(asked.order.source), false});
+    desk.act(PatternGrown{asked.job, two_dots(asked.order->source), false});
     CHECK(has_grown(desk.state));
     CHECK(desk.state.growth.work == GrowthWork::filling);
     desk.act(GrowthFailed{asked.job, "no room"});
@@ -321,7 +323,7 @@ TEST_CASE("the same strokes and steps give the same arrangement, however they ar
     const auto source = std::make_shared<const GrowthSource>(growth_source(question, nullptr));
     REQUIRE(source->exemplar);
     ArrangeOrder whole{.source = source, .guides = std::make_shared<const GuideLines>(), .canvas = {{0, 0}, {100, 100}}};
-    for (int i = 0; i < 6; ++i) whole.steps.push_back(SprayStep{{{12.0 * i, 3.0 * i}, 25}, i == 0});
+    for (int i = 0; i < 6; ++i) whole.steps.push_back(SprayStep{{12.0 * i, 3.0 * i}, 25, i == 0});
     const GrownPattern at_once = arranged(whole, surroundings_of(whole));
     GrownPattern stepwise;
     for (const ArrangeStep& step : whole.steps) {
