@@ -14,7 +14,6 @@ bool works(const EditorState& state) {
     return state.growth.work != GrowthWork::none || !state.growth.waiting.empty() || state.growth.fill_waits;
 }
 bool may_use(const EditorState& state) { return has_grown(state) && state.growth.work == GrowthWork::none; }
-bool has_arrangement(const EditorState& state) { return state.growth.grown && state.growth.grown->arrangement; }
 
 template <GrowthBrush brush>
 Command brush_command(const std::string& name, const std::string& label, const std::string& help) {

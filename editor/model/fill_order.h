@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "editor/model/growth_watch.h"
+#include "growth/aggregate/pack_domain.h"
 
 namespace rinceau {
 

@@ -93,4 +93,6 @@ bool has_grown(const EditorState& state) {
     return grown && !grown->placed.empty();
 }
 
+bool has_arrangement(const EditorState& state) { return state.growth.grown && state.growth.grown->arrangement; }
+
 }  // namespace rinceau

@@ -53,4 +53,7 @@ std::vector<std::string> symbols_to_raise(const Grammar& grammar);
 /// Something stands that can be used, grown on or dropped.
 bool has_grown(const EditorState& state);
 
+/// That is an arrangement.
+bool has_arrangement(const EditorState& state);
+
 }  // namespace rinceau
