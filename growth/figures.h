@@ -15,7 +15,9 @@ namespace rinceau {
 /// One thing that is repeated: a terminal, all that a raised non-terminal draws, or shapes that belong together because
 /// they touch.
 struct Figure {
-    std::string symbol;            ///< the grammar's; of a group, the symbols of its parts joined by '+'
+    /// The grammar's; of a group, the symbols of its parts, each once, joined by '+'. No two figures have the same: a second
+    /// one of the name has ".2" behind it.
+    std::string symbol;
     std::vector<Placement> parts;  ///< in paint order; poses lead from the terminal's frame to the figure's
     /// What it paints, in its own frame, whose origin is the centre of the box of this region. Never without area.
     Region outline;
@@ -25,8 +27,8 @@ struct Figure {
 struct FigureInstance {
     int figure = 0;
     Similarity pose;  ///< figure frame -> scene
-    /// False: the picture's edge or a clip cuts it, or it is kept as SVG text. It says where a neighbour stands, and is never
-    /// a thing to be repeated.
+    /// False: the picture's edge or a clip cuts it, or it is kept as SVG text. It says where a neighbour stands, and is
+    /// never a thing to be repeated.
     bool whole = true;
 };
 

@@ -8,11 +8,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 #include "geometry/delaunay.h"
 #include "geometry/index_map.h"
 #include "geometry/polygon.h"
+#include "growth/joined_sets.h"
 
 namespace rinceau {
 namespace {
@@ -60,29 +60,13 @@ double spacing_of(std::span<const Point> points, const Faces& faces) {
     return share > 0 ? std::sqrt(std::max(whole, 0.0) / share) : 0;
 }
 
-/// Sets of triangles that grow together.
-struct MergedTriangles {
-    explicit MergedTriangles(std::size_t count) : up(count) { std::iota(up.begin(), up.end(), 0); }
-    int root(int t) {
-        while (up[static_cast<std::size_t>(t)] != t)
-            t = up[static_cast<std::size_t>(t)] = up[static_cast<std::size_t>(up[static_cast<std::size_t>(t)])];
-        return t;
-    }
-    void merge(int a, int b) {
-        const int low = std::min(root(a), root(b));
-        const int high = std::max(root(a), root(b));
-        up[static_cast<std::size_t>(high)] = low;
-    }
-    std::vector<int> up;
-};
-
 /// Which triangles count as one face: for each the lowest of its face.
 std::vector<int> merged_roots(std::span<const Point> points, const std::vector<DelaunayTriangle>& triangles, double spacing,
                               double tie) {
     std::vector<FaceCircle> circles;
     circles.reserve(triangles.size());
     for (const DelaunayTriangle& t : triangles) circles.push_back(face_circle(points, {t.corners.begin(), t.corners.end()}));
-    MergedTriangles merged(triangles.size());
+    JoinedSets merged(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const int other = triangles[t].neighbors[k];
@@ -90,7 +74,7 @@ std::vector<int> merged_roots(std::span<const Point> points, const std::vector<D
             const Point a = points[static_cast<std::size_t>(triangles[t].corners[k])];
             const Point b = points[static_cast<std::size_t>(triangles[t].corners[(k + 1) % 3])];
             const double apart = abs(circles[t].center - circles[static_cast<std::size_t>(other)].center);
-            if (apart < tie * std::min(spacing, abs(b - a))) merged.merge(static_cast<int>(t), other);
+            if (apart < tie * std::min(spacing, abs(b - a))) merged.join(static_cast<int>(t), other);
         }
     std::vector<int> roots(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) roots[t] = merged.root(static_cast<int>(t));
