@@ -1,7 +1,9 @@
 #include "editor/model/arrange_order.h"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "growth/arrangement/grow_arrangement.h"
@@ -11,7 +13,7 @@ namespace rinceau {
 namespace {
 
 /// What grows before it is asked whether somebody wants to see it.
-constexpr std::size_t elements_a_look = 1000;
+constexpr double elements_a_look = 1000;
 /// What may grow when nothing else bounds it: more than is seen apart.
 constexpr std::size_t most_elements = 100'000;
 
@@ -21,6 +23,9 @@ ArrangeOptions options_of(const ArrangementSettings& settings, const Exemplar& e
         const auto set = settings.priorities.find(symbol.name);
         options.priorities.push_back(set != settings.priorities.end() ? set->second : 0);
     }
+    // to be told that all are alike saves looking for others at each step
+    if (std::ranges::count(options.priorities, options.priorities.front()) == std::ssize(options.priorities))
+        options.priorities.clear();
     return options;
 }
 
@@ -40,18 +45,22 @@ class Steps {
 
     void perform(const SprayStep& step) {
         if (step.plants) grown_ = with_seed(std::move(grown_), exemplar_, around_, step.center);
-        grow_by({.brush = Brush{step.center, step.radius}, .stop = watch_.stop});
+        grow_by({.brush = Brush{step.center, step.radius}, .stop = watch_.stop}, watch_.progress);
     }
     void perform(const ShowStep&) {}
     void perform(const GrowStep& step) {
         if (grown_.elements == 0) grown_ = with_seed(std::move(grown_), exemplar_, around_, center(order_.canvas));
-        const std::size_t room = most_elements - std::min(most_elements, grown_.elements);
-        const std::size_t wanted = grown_.elements + (step.more == 0 ? room : std::min(step.more, room));
         const std::size_t begun = grown_.elements;
+        const std::size_t room = most_elements - std::min(most_elements, begun);
+        const std::size_t wanted = begun + (step.more == 0 ? room : std::min(step.more, room));
+        const auto expected = static_cast<double>(std::min(wanted, begun + fitting())) - static_cast<double>(begun);
         while (grown_.elements < wanted && !stopped()) {
             const std::size_t before = grown_.elements;
-            report(watch_.progress, "growing", static_cast<double>(before - begun) / static_cast<double>(wanted - begun));
-            grow_by({.count = std::min(wanted, before + elements_a_look), .stop = watch_.stop});
+            const auto share = [&](double of_look) {
+                return std::min(1.0, (static_cast<double>(before - begun) + of_look * elements_a_look) / expected);
+            };
+            grow_by({.count = std::min(wanted, before + static_cast<std::size_t>(elements_a_look)), .stop = watch_.stop},
+                    [&](std::string_view stage, double fraction) { report(watch_.progress, stage, share(fraction)); });
             if (grown_.elements == before) break;
             look();
         }
@@ -80,7 +89,15 @@ class Steps {
     }
 
   private:
-    void grow_by(const GrowOrder& order) { grown_ = grow(std::move(grown_), exemplar_, around_, order, watch_.progress); }
+    void grow_by(const GrowOrder& order, const Progress& progress) {
+        grown_ = grow(std::move(grown_), exemplar_, around_, order, progress);
+    }
+    /// About how many elements the canvas has room for; without a full canvas to come it does not matter.
+    std::size_t fitting() const {
+        if (!order_.settings.fill) return most_elements;
+        const double area = width(order_.canvas) * height(order_.canvas);
+        return static_cast<std::size_t>(std::clamp(area * exemplar_.density, 1.0, static_cast<double>(most_elements)));
+    }
     void look() {
         if (watch_.wants_look && watch_.wants_look()) watch_.show(result());
     }
