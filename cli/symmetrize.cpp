@@ -21,12 +21,6 @@ struct SymmetrizeVerbOptions {
     SymmetrizeOptions symmetrize;
 };
 
-/// A grammar's text has no '<' before its first statement's end, a drawing begins with one, or with the mark of gzip.
-bool is_drawing(const std::string& bytes) {
-    const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return first != std::string::npos && (bytes[first] == '<' || bytes[first] == '\x1F');
-}
-
 Grammar regular_layout(const std::string& bytes, const EditFiles& files) {
     const std::string label = input_label(files.input);
     const SvgReadResult drawing = read_svg(bytes, {.file_name = label});
@@ -46,7 +40,7 @@ Grammar regular_layout(const std::string& bytes, const EditFiles& files) {
 int run_symmetrize(const SymmetrizeVerbOptions& options) {
     expect_edit_output(options.files);
     const std::string bytes = read_input(options.files.input);
-    if (is_drawing(bytes)) {
+    if (looks_like_drawing(bytes)) {
         write_grammar_or_picture(regular_layout(bytes, options.files), options.files);
         return exit_status::done;
     }

@@ -1,56 +1,26 @@
 #include "cli/weights_option.h"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <set>
-#include <string_view>
-
 #include <CLI/Error.hpp>
+
+#include "cli/named_values.h"
 
 namespace rinceau {
 namespace {
 
 constexpr double largest_weight = 4;
 
-struct WeightName {
-    std::string_view name;
-    double ImportanceWeights::*weight;
-};
-
-constexpr std::array<WeightName, 4> weight_names{{{"n", &ImportanceWeights::count},
-                                                  {"h", &ImportanceWeights::nearness},
-                                                  {"phi", &ImportanceWeights::similarity},
-                                                  {"l", &ImportanceWeights::length}}};
-
-[[noreturn]] void fail(const std::string& expected, std::string_view found) {
-    throw CLI::ValidationError("--weights", "expected " + expected + ", found '" + std::string(found) + "'");
-}
-
-double parse_weight(std::string_view text, std::string_view part) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = error == std::errc{} && end == text.data() + text.size();
-    if (!whole || !(value >= 0 && value <= largest_weight)) fail("a number from 0 to 4 after '='", part);
-    return value;
-}
-
 }  // namespace
 
 ImportanceWeights parse_weights(const std::string& text) {
     ImportanceWeights weights;
-    std::set<std::string_view> seen;
-    std::string_view rest = text;
-    while (true) {
-        const std::string_view part = rest.substr(0, rest.find(','));
-        const std::string_view name = part.substr(0, part.find('='));
-        const auto found = std::ranges::find(weight_names, name, &WeightName::name);
-        if (name.size() == part.size() || found == weight_names.end()) fail("n=.., h=.., phi=.. or l=..", part);
-        if (!seen.insert(name).second) fail("each weight once", part);
-        weights.*(found->weight) = parse_weight(part.substr(name.size() + 1), part);
-        if (part.size() == rest.size()) return weights;
-        rest.remove_prefix(part.size() + 1);
+    const NamedValues format{.option = "--weights", .names = {"n", "h", "phi", "l"}, .low = 0, .high = largest_weight};
+    for (const auto& [name, value] : parse_named_values(format, text)) {
+        if (name == "n") weights.count = value;
+        if (name == "h") weights.nearness = value;
+        if (name == "phi") weights.similarity = value;
+        if (name == "l") weights.length = value;
     }
+    return weights;
 }
 
 Objective parse_objective(const std::string& text) {

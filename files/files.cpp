@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "files/output_file.h"
 #include "exports/json_grammar.h"
+#include "files/output_file.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/resolve_uses.h"
 #include "scene/input_error.h"
@@ -54,6 +54,10 @@ std::string read_all(int descriptor, const std::string& label) {
     }
 }
 
+Grammar parse_as_written(const std::string& name, const std::string& text) {
+    return looks_like_json(text) ? parse_json_grammar(text, input_label(name)) : parse_grammar(text, input_label(name));
+}
+
 }  // namespace
 
 std::string input_label(const std::string& name) { return name == "-" ? "<stdin>" : name; }
@@ -66,17 +70,24 @@ std::string read_input(const std::string& name) {
     return read_all(file.number(), label);
 }
 
-Grammar read_grammar_as_written(const std::string& name) {
-    const std::string text = read_input(name);
-    return looks_like_json(text) ? parse_json_grammar(text, input_label(name)) : parse_grammar(text, input_label(name));
+bool looks_like_drawing(std::string_view bytes) {
+    // A grammar's text has no '<' before its first statement's end; gzip begins with a mark of its own.
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    return first != std::string_view::npos && (bytes[first] == '<' || bytes[first] == '\x1F');
 }
+
+Grammar read_grammar_as_written(const std::string& name) { return parse_as_written(name, read_input(name)); }
 
 std::string read_grammar_text(const std::string& name) {
     std::string text = read_input(name);
     return looks_like_json(text) ? to_text(parse_json_grammar(text, input_label(name))) : text;
 }
 
-Grammar read_grammar(const std::string& name) { return resolve_uses(read_grammar_as_written(name), read_grammar_text); }
+Grammar read_grammar(const std::string& name) { return read_grammar(name, read_input(name)); }
+
+Grammar read_grammar(const std::string& name, const std::string& bytes) {
+    return resolve_uses(parse_as_written(name, bytes), read_grammar_text);
+}
 
 void write_output(const std::string& name, std::string_view bytes) {
     OutputFile file(name);

@@ -15,6 +15,9 @@ std::string input_label(const std::string& name);
 /// than any drawing that can be analysed.
 std::string read_input(const std::string& name);
 
+/// Are these the bytes of a drawing (SVG, or packed SVG), and not those of a grammar?
+bool looks_like_drawing(std::string_view bytes);
+
 /// The grammar of a file as its text or its JSON (exports/json_grammar.h) says, its uses kept: for edits. Throws as
 /// read_input, and InputError at its first mistake.
 Grammar read_grammar_as_written(const std::string& name);
@@ -25,6 +28,9 @@ std::string read_grammar_text(const std::string& name);
 /// The grammar of a file with all that it uses (resolve_uses.h): for deriving, drawing and exporting. Throws in the same
 /// way.
 Grammar read_grammar(const std::string& name);
+
+/// The same of bytes that were read from the file `name`.
+Grammar read_grammar(const std::string& name, const std::string& bytes);
 
 /// Puts `bytes` in the place of the file `name`, as OutputFile does. Throws OutputError.
 void write_output(const std::string& name, std::string_view bytes);

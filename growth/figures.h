@@ -59,8 +59,8 @@ FiguredDrawing figures_of(const Grammar& grammar, const FigureOptions& options =
 /// A copy of a figure somewhere else.
 struct PlacedFigure {
     int figure = 0;
-    Similarity pose;  ///< figure frame -> scene
-    Repaint repaint;
+    Similarity pose;                ///< figure frame -> scene
+    std::vector<Repaint> repaints;  ///< of the figure's parts, one each; empty = as drawn
 };
 
 /// The placements of what is placed, in the order given: for grammar_svg and flat grammars of figures.grammar's terminals.

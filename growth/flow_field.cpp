@@ -35,34 +35,9 @@ struct FlowSample {
     Complex direction;  // of length 1; of an undirected field its square
 };
 
-double length_of(const Polyline& line) {
-    double sum = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) sum += abs(line[i] - line[i - 1]);
-    return sum;
-}
-
-/// The points that cut the line into `count` arcs of equal length, its ends among them.
-std::vector<Point> cut_evenly(const Polyline& line, double length, std::size_t count) {
-    std::vector<Point> cuts;
-    double passed = 0;
-    std::size_t corner = 1;
-    for (std::size_t i = 0; i <= count; ++i) {
-        const double at = length * static_cast<double>(i) / static_cast<double>(count);
-        double edge = abs(line[corner] - line[corner - 1]);
-        while (corner + 1 < line.size() && passed + edge < at) {
-            passed += edge;
-            ++corner;
-            edge = abs(line[corner] - line[corner - 1]);
-        }
-        const double share = edge > 0 ? std::clamp((at - passed) / edge, 0.0, 1.0) : 0;
-        cuts.push_back(line[corner - 1] + share * (line[corner] - line[corner - 1]));
-    }
-    return cuts;
-}
-
-void add_samples(const Polyline& line, double length, std::size_t count, bool directed, std::vector<FlowSample>& samples) {
+void add_samples(const Polyline& line, std::size_t count, bool directed, std::vector<FlowSample>& samples) {
     // Every other cut is a sample, the two beside it tell its direction.
-    const std::vector<Point> cuts = cut_evenly(line, length, 2 * count);
+    const std::vector<Point> cuts = cut_evenly(line, 2 * count);
     for (std::size_t i = 1; i < cuts.size(); i += 2) {
         const Point along = cuts[i + 1] - cuts[i - 1];
         const double size = abs(along);
@@ -95,7 +70,7 @@ std::vector<FlowSample> sampled(std::span<const Polyline> strokes, const FlowOpt
     std::vector<FlowSample> samples;
     for (const std::size_t i : order) {
         const double more = std::min(spare * lengths[i] / total, lengths[i] / spacing);
-        add_samples(strokes[i], lengths[i], least + static_cast<std::size_t>(more), options.directed, samples);
+        add_samples(strokes[i], least + static_cast<std::size_t>(more), options.directed, samples);
     }
     return samples;
 }

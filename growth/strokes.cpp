@@ -97,6 +97,31 @@ std::vector<Polyline> polylines_of(const Scene& scene, double deviation) {
     return lines;
 }
 
+double length_of(const Polyline& line) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) sum += abs(line[i] - line[i - 1]);
+    return sum;
+}
+
+std::vector<Point> cut_evenly(const Polyline& line, std::size_t count) {
+    const double length = length_of(line);
+    std::vector<Point> cuts;
+    double passed = 0;
+    std::size_t corner = 1;
+    for (std::size_t i = 0; i <= count; ++i) {
+        const double at = length * static_cast<double>(i) / static_cast<double>(count);
+        double edge = abs(line[corner] - line[corner - 1]);
+        while (corner + 1 < line.size() && passed + edge < at) {
+            passed += edge;
+            ++corner;
+            edge = abs(line[corner] - line[corner - 1]);
+        }
+        const double share = edge > 0 ? std::clamp((at - passed) / edge, 0.0, 1.0) : 0;
+        cuts.push_back(line[corner - 1] + share * (line[corner] - line[corner - 1]));
+    }
+    return cuts;
+}
+
 Region region_of(const Scene& scene, double deviation, const std::string& label) {
     Region outlines;
     for (const Element& element : scene.elements) {

@@ -17,6 +17,11 @@ using Polyline = std::vector<Point>;
 /// is left out.
 std::vector<Polyline> polylines_of(const Scene& scene, double deviation);
 
+double length_of(const Polyline& line);
+
+/// The points that cut the line into `count` > 0 arcs of equal length, its ends among them.
+std::vector<Point> cut_evenly(const Polyline& line, std::size_t count);
+
 /// What the drawing's closed outlines enclose by the even-odd rule all together, so that an outline inside another one is a
 /// hole; fills and strokes play no part. Throws InputError in the name of `label` if no outline is closed or nothing is
 /// enclosed, or if an outline crosses itself or another one: it says where.

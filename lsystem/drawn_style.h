@@ -1,5 +1,5 @@
 #pragma once
-// In which style a placement is drawn, and which colour stands for a number. Internal to the folder.
+// In which style a placement is drawn, and which colour stands for a number.
 
 #include "lsystem/grammar.h"
 #include "lsystem/interpret.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The styles of a grammar by number. Internal to the folder.
+// The styles of a grammar by number.
 
 #include <unordered_map>
 

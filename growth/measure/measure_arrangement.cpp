@@ -25,21 +25,24 @@ constexpr double visible_overlap = 1e-3;  ///< of the smaller outline's area
 constexpr double large_share = 0.15;
 
 struct ArrangementPatterns {
-    PointPattern exemplar, grown;
+    PointPattern exemplar;
+    PointPattern around;  ///< the exemplar, a tiled one with its copies on all sides
+    PointPattern grown;
 };
 
 const ExemplarElement& reference_of(const Exemplar& exemplar, const ArrangedElement& element) {
     return exemplar.elements[static_cast<std::size_t>(element.reference)];
 }
 
-PointPattern exemplar_pattern(const Exemplar& exemplar) {
+PointPattern exemplar_pattern(const Exemplar& exemplar, std::size_t count) {
     std::vector<Point> positions;
     std::vector<int> symbols;
-    for (std::size_t i = 0; i < exemplar.originals; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         positions.push_back(exemplar.elements[i].position);
         symbols.push_back(exemplar.elements[i].symbol);
     }
-    if (exemplar.tile) return tiled_pattern(std::move(positions), std::move(symbols), *exemplar.tile);
+    if (exemplar.tile && count == exemplar.originals)
+        return tiled_pattern(std::move(positions), std::move(symbols), *exemplar.tile);
     return pattern_of(std::move(positions), std::move(symbols), exemplar.mean_edge);
 }
 
@@ -155,7 +158,9 @@ ArrangementMeasures measure_arrangement(const Exemplar& exemplar, const std::vec
     ArrangementMeasures measures;
     measures.elements = elements.size();
     if (elements.empty()) return measures;
-    const ArrangementPatterns patterns{exemplar_pattern(exemplar), grown_pattern(exemplar, elements, around.boundary.get())};
+    const ArrangementPatterns patterns{exemplar_pattern(exemplar, exemplar.originals),
+                                       exemplar_pattern(exemplar, exemplar.elements.size()),
+                                       grown_pattern(exemplar, elements, around.boundary.get())};
     const std::vector<bool> inside = deeper_than(patterns.grown, inside_depth * exemplar.mean_edge);
     measures.inside = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), true));
 
@@ -170,7 +175,7 @@ ArrangementMeasures measure_arrangement(const Exemplar& exemplar, const std::vec
     const int symbols = static_cast<int>(exemplar.symbols.size());
     measures.pair_distance = pair_distance(patterns.grown, patterns.exemplar, symbols, exemplar.mean_edge);
     measures.pair_spread = pair_spread(patterns.exemplar, symbols, exemplar.mean_edge);
-    const double exemplar_empty = largest_empty_circle(patterns.exemplar, 0).radius;
+    const double exemplar_empty = largest_empty_circle(patterns.around, 0).radius;
     const double grown_empty = largest_empty_circle(patterns.grown, circle_depth * exemplar.mean_edge).radius;
     if (exemplar_empty > 0 && grown_empty > 0) measures.empty_circle = grown_empty / exemplar_empty;
     return measures;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geometry/box_tree.h"
+#include "geometry/orientation.h"
 #include "geometry/polygon.h"
 
 namespace rinceau {
@@ -29,15 +30,6 @@ std::vector<OutlineEdge> edges_in(const Region& region, const Box& box) {
     return edges;
 }
 
-/// Do they cross or touch? Never false for edges that cross.
-bool meet(const OutlineEdge& e, const OutlineEdge& f) {
-    const auto apart = [](const OutlineEdge& line, const OutlineEdge& other) {
-        const double a = cross(line.b - line.a, other.a - line.a), b = cross(line.b - line.a, other.b - line.a);
-        return (a > 0 && b > 0) || (a < 0 && b < 0);
-    };
-    return overlap(e.box, f.box) && !apart(e, f) && !apart(f, e);
-}
-
 bool outlines_meet(const Region& a, const Region& b, const Box& common) {
     const std::vector<OutlineEdge> of_a = edges_in(a, common), of_b = edges_in(b, common);
     double widest = 0;
@@ -46,7 +38,7 @@ bool outlines_meet(const Region& a, const Region& b, const Box& common) {
         auto f = std::lower_bound(of_b.begin(), of_b.end(), e.box.low.x - widest,
                                   [](const OutlineEdge& edge, double x) { return edge.box.low.x < x; });
         for (; f != of_b.end() && f->box.low.x <= e.box.high.x; ++f)
-            if (meet(e, *f)) return true;
+            if (overlap(e.box, f->box) && segments_meet(e.a, e.b, f->a, f->b)) return true;
     }
     return false;
 }

@@ -1,0 +1,28 @@
+#pragma once
+// What growth begins with: a drawing, whose rules are found first, or a grammar.
+
+#include <string>
+#include <vector>
+
+#include "growth/figures.h"
+#include "growth/strokes.h"
+
+namespace rinceau {
+
+struct GrowthInput {
+    std::string label;
+    FiguredDrawing drawing;
+    std::vector<std::string> warnings;  ///< of reading, of the analysis and of the figures; they were said
+};
+
+/// Reads `name` (.svg, .svgz, .lsys, .json, or - for standard input). Says warnings. Throws as read_input(), read_svg(),
+/// read_grammar(), analyze() and figures_of().
+GrowthInput read_growth_input(const std::string& name, const FigureOptions& options, int threads);
+
+/// A drawing of lines or areas that guide growth. Says warnings. Throws as read_input() and read_svg().
+Scene read_guide(const std::string& name);
+
+/// How far lines may be from the curves that they stand for, in a guide: scene length.
+double guide_deviation(const Scene& guide);
+
+}  // namespace rinceau
