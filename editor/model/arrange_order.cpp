@@ -6,7 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "growth/arrangement/grow_arrangement.h"
+#include "geometry/angle.h"
+#include "growth/arrangement/grow_ground.h"
+#include "growth/arrangement/jitter.h"
+#include "growth/arrangement/place_figures.h"
 #include "scene/input_error.h"
 
 namespace rinceau {
@@ -31,6 +34,13 @@ ArrangeOptions options_of(const ArrangementSettings& settings, const Exemplar& e
 
 Region region_of_box(const Box& box) { return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}}; }
 
+JitterOptions jitter_of(const ArrangementSettings& settings) {
+    return {.angle = radians(settings.jitter.angle),
+            .scale = settings.jitter.scale,
+            .color = settings.jitter.color,
+            .seed = settings.seed};
+}
+
 /// Carries steps out on an arrangement.
 class Steps {
   public:
@@ -49,7 +59,8 @@ class Steps {
     }
     void perform(const ShowStep&) {}
     void perform(const GrowStep& step) {
-        if (grown_.elements == 0) grown_ = with_seed(std::move(grown_), exemplar_, around_, center(order_.canvas));
+        if (grown_.elements == 0)
+            grown_ = with_seed(std::move(grown_), exemplar_, around_, ground_start(around_, order_.canvas));
         const std::size_t begun = grown_.elements;
         const std::size_t room = most_elements - std::min(most_elements, begun);
         const std::size_t wanted = begun + (step.more == 0 ? room : std::min(step.more, room));
@@ -59,8 +70,9 @@ class Steps {
             const auto share = [&](double of_look) {
                 return std::min(1.0, (static_cast<double>(before - begun) + of_look * elements_a_look) / expected);
             };
-            grow_by({.count = std::min(wanted, before + static_cast<std::size_t>(elements_a_look)), .stop = watch_.stop},
-                    [&](std::string_view stage, double fraction) { report(watch_.progress, stage, share(fraction)); });
+            grow_anywhere(
+                {.count = std::min(wanted, before + static_cast<std::size_t>(elements_a_look)), .stop = watch_.stop},
+                [&](std::string_view stage, double fraction) { report(watch_.progress, stage, share(fraction)); });
             if (grown_.elements == before) break;
             look();
         }
@@ -76,13 +88,15 @@ class Steps {
         GrownPattern pattern{.source = order_.source};
         pattern.arrangement = std::make_shared<const ElementArrangement>(grown_);
         const std::vector<ArrangedElement> elements = arranged_elements(grown_);
-        pattern.placed = placed_figures(*order_.source->drawing, elements);
+        const FiguredDrawing& drawing = *order_.source->drawing;
+        pattern.placed = placed_figures(drawing, elements);
+        if (order_.settings.jitter != JitterSettings{})
+            pattern.placed = jittered(drawing, pattern.placed, jitter_of(order_.settings), around_.boundary.get());
         for (const auto& [a, b] : arranged_edges(grown_))
             pattern.edges.push_back(
                 {elements[static_cast<std::size_t>(a)].position, elements[static_cast<std::size_t>(b)].position});
-        const Box canvas =
-            order_.settings.fill ? order_.canvas : roomy_canvas(order_.canvas, *order_.source->drawing, pattern.placed);
-        picture_ = picture_of(*order_.source->drawing, pattern.placed, canvas, picture_);
+        const Box canvas = order_.settings.fill ? order_.canvas : roomy_canvas(order_.canvas, drawing, pattern.placed);
+        picture_ = picture_of(drawing, pattern.placed, canvas, picture_);
         pattern.picture = picture_;
         pattern.told = std::to_string(elements.size()) + (elements.size() == 1 ? " element" : " elements");
         return pattern;
@@ -91,6 +105,11 @@ class Steps {
   private:
     void grow_by(const GrowOrder& order, const Progress& progress) {
         grown_ = grow(std::move(grown_), exemplar_, around_, order, progress);
+    }
+    /// The same; within a full canvas, also in parts of it that strokes cut off.
+    void grow_anywhere(const GrowOrder& order, const Progress& progress) {
+        if (!order_.settings.fill) return grow_by(order, progress);
+        grown_ = grown_over(std::move(grown_), exemplar_, around_, order_.canvas, order, progress);
     }
     /// About how many elements the canvas has room for; without a full canvas to come it does not matter.
     std::size_t fitting() const {

@@ -1,10 +1,9 @@
 #include "editor/model/fill_order.h"
 
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <utility>
 
+#include "geometry/angle.h"
 #include "growth/aggregate/fill_aggregate.h"
 #include "scene/input_error.h"
 
@@ -35,8 +34,8 @@ ChosenShapes chosen_shapes(const FillOrder& order) {
 }
 
 PackAngles angles_of(const AggregateSettings& settings) {
-    constexpr double quarter = std::numbers::pi / 2;
-    const double spread = settings.spread * std::numbers::pi / 180;
+    constexpr double quarter = pi / 2;
+    const double spread = radians(settings.spread);
     switch (settings.turn) {
         case PackTurn::none:
             return {.only = {0}};
@@ -102,18 +101,35 @@ class Filling {
             const auto shape = static_cast<std::size_t>(one.shape);
             const double scale = scale_of(one.pose);
             covered += regions_[shape].area * scale * scale;
-            pattern.placed.push_back({chosen_.figures[shape], one.pose * translate(-regions_[shape].center), {}});
+            place(pattern, one);
         }
         picture_ = picture_of(*order_.source->drawing, pattern.placed, domain_.box, picture_);
         pattern.picture = picture_;
         const double whole = domain_.region ? area(*domain_.region) : width(domain_.box) * height(domain_.box);
         char text[64];
-        std::snprintf(text, sizeof text, "%zu shapes cover %.1f %%", pattern.placed.size(), 100 * covered / whole);
+        std::snprintf(text, sizeof text, "%zu shapes cover %.1f %%", fill_.placed().size(), 100 * covered / whole);
         pattern.told = text;
         return pattern;
     }
 
   private:
+    /// On a tile also where it comes in on the other side.
+    void place(GrownPattern& pattern, const PlacedRegion& one) const {
+        const auto shape = static_cast<std::size_t>(one.shape);
+        const ExclusiveRegion& region = regions_[shape];
+        const int beyond = domain_.tiled ? 1 : 0;
+        for (int across = -beyond; across <= beyond; ++across) {
+            for (int up = -beyond; up <= beyond; ++up) {
+                const Point shift{across * width(domain_.box), up * height(domain_.box)};
+                const Similarity pose = translate(shift) * one.pose;
+                Box box;
+                for (const Point p : region.rings.front()) box = including(box, apply(pose, p));
+                if ((across == 0 && up == 0) || overlap(box, domain_.box))
+                    pattern.placed.push_back({chosen_.figures[shape], pose * translate(-region.center), {}});
+            }
+        }
+    }
+
     const FillOrder& order_;
     ChosenShapes chosen_;
     std::vector<ExclusiveRegion> regions_;

@@ -16,18 +16,6 @@ std::shared_ptr<const Grammar> stage(const FiguredDrawing& drawing, const Box& c
 
 }  // namespace
 
-std::vector<PlacedFigure> placed_figures(const FiguredDrawing& drawing, const std::vector<ArrangedElement>& elements) {
-    std::vector<PlacedFigure> placed;
-    placed.reserve(elements.size());
-    for (const ArrangedElement& element : elements) {
-        const FigureInstance& instance = drawing.instances[static_cast<std::size_t>(element.reference)];
-        Similarity pose = rotate(element.angle) * instance.pose;
-        pose.translation = element.position;
-        placed.push_back({instance.figure, pose, {}});
-    }
-    return placed;
-}
-
 GrownPattern blank_pattern(const Box& canvas) {
     Grammar grammar;
     grammar.canvas = canvas;

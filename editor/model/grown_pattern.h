@@ -24,10 +24,6 @@ struct GrownPattern {
     std::string told;                               ///< how much it is, in words
 };
 
-/// The figures of elements of the exemplar, each as it stands in the drawing, turned by the element's angle; with jitter
-/// that the seed draws for each, whatever stands before and after it.
-std::vector<PlacedFigure> placed_figures(const FiguredDrawing& drawing, const std::vector<ArrangedElement>& elements);
-
 /// An empty canvas to paint on.
 GrownPattern blank_pattern(const Box& canvas);
 

@@ -19,8 +19,8 @@ enum class GrowthBrush : unsigned char { none, spray, flow, boundary, flip };
 /// By how much each element may be turned, enlarged and coloured otherwise.
 struct JitterSettings {
     double angle = 0;  ///< degrees to either side
-    double scale = 0;  ///< share of the size, to either side
-    double color = 0;  ///< share of lightness, to either side
+    double scale = 0;  ///< JitterOptions
+    double color = 0;
     friend bool operator==(const JitterSettings&, const JitterSettings&) = default;
 };
 

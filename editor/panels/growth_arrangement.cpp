@@ -118,8 +118,9 @@ void jitter(GrowthForm& form) {
     constexpr float degrees = 0.2F;
     constexpr float percent = 0.002F;
     form.number("angle", settings.angle, 0, 180, degrees, "%.1f deg", "By how much each element is turned, at most.");
-    form.number("size", settings.scale, 0, 0.9, percent, "%.3f", "By which share each is larger or smaller, at most.");
-    form.number("colour", settings.color, 0, 1, percent, "%.3f", "By how much each is lighter or darker, at most.");
+    form.number("size", settings.scale, 0, 1, percent, "%.3f",
+                "By which share each is larger or smaller, at most; less where it would cross another one.");
+    form.number("colour", settings.color, 0, 1, percent, "%.3f", "How far each has another hue and lightness, at most.");
 }
 
 }  // namespace
