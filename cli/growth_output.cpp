@@ -1,5 +1,8 @@
 #include "cli/growth_output.h"
 
+#include <algorithm>
+#include <array>
+
 #include <CLI/Error.hpp>
 
 #include "exports/json_grammar.h"
@@ -21,14 +24,14 @@ std::string svg_of(const FiguredDrawing& drawing, const std::vector<PlacedFigure
 }
 
 std::string output_bytes(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed, const Box& canvas,
-                         FileFormat format) {
+                         FileFormat format, int width) {
     switch (format) {
         case FileFormat::lsys:
             return to_text(grammar_of(drawing, placed, canvas));
         case FileFormat::json:
             return to_json(grammar_of(drawing, placed, canvas)).bytes;
         case FileFormat::png:
-            return svg_to_png(svg_of(drawing, placed, canvas));
+            return svg_to_png(svg_of(drawing, placed, canvas), width);
         case FileFormat::pdf:
             return svg_to_pdf(svg_of(drawing, placed, canvas));
         default:
@@ -40,15 +43,17 @@ std::string output_bytes(const FiguredDrawing& drawing, const std::vector<Placed
 
 void expect_growth_output(const std::string& output) {
     const FileFormat format = format_of(output, FileFormat::svg);
-    if (format == FileFormat::unknown || format == FileFormat::csv)
+    constexpr std::array<FileFormat, 5> written{FileFormat::svg, FileFormat::png, FileFormat::pdf, FileFormat::lsys,
+                                                FileFormat::json};
+    if (std::ranges::find(written, format) == written.end())
         throw CLI::ValidationError("-o",
                                    "expected a name that ends in .svg, .png, .pdf, .lsys or .json, found '" + output + "'");
     expect_writable(output);
 }
 
 void write_growth(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed, const Box& canvas,
-                  const std::string& output) {
-    write_output(output, output_bytes(drawing, placed, canvas, format_of(output, FileFormat::svg)));
+                  const std::string& output, int width) {
+    write_output(output, output_bytes(drawing, placed, canvas, format_of(output, FileFormat::svg), width));
 }
 
 }  // namespace rinceau

@@ -12,8 +12,8 @@ namespace rinceau {
 /// are pictures, .lsys and .json grammars; standard output gets SVG.
 void expect_growth_output(const std::string& output);
 
-/// What is placed, on a canvas, by the output's ending.
+/// What is placed, on a canvas, by the output's ending. `width` of a .png in pixels, 0 = the canvas's own.
 void write_growth(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed, const Box& canvas,
-                  const std::string& output);
+                  const std::string& output, int width = 0);
 
 }  // namespace rinceau

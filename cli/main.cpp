@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
     add_symmetrize(program, job);
     add_normalize(program, job);
     add_replace(program, job);
+    add_arrange(program, job);
     add_pack(program, job);
     add_edit(program, job);
     add_inkscape(program, job);

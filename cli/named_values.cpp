@@ -56,7 +56,8 @@ std::vector<std::pair<std::string, double>> parse_named_values(const NamedValues
         if (name.empty() || name.size() == part.size() || !known) fail(format.option, names_expected(format.names), part);
         const auto same = [&name](const auto& value) { return value.first == name; };
         if (std::ranges::any_of(values, same)) fail(format.option, "each name once", part);
-        const std::string range = "a number from " + svg_number(format.low) + " to " + svg_number(format.high) + " after '='";
+        const std::string range =
+            "a number from " + svg_number(format.low) + " to " + svg_number(format.high) + " after '='";
         const std::string_view number = std::string_view(part).substr(name.size() + 1);
         double value = 0;
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);

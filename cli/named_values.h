@@ -14,8 +14,8 @@ struct NamedValues {
     double low = 0, high = 1;        ///< of the values
 };
 
-/// In the order given. Throws CLI::ValidationError naming the option and the part at fault: an unknown or repeated name, or a
-/// value that is no number in the range.
+/// In the order given. Throws CLI::ValidationError naming the option and the part at fault: an unknown or repeated name, or
+/// a value that is no number in the range.
 std::vector<std::pair<std::string, double>> parse_named_values(const NamedValues& format, const std::string& text);
 
 /// The parts between commas, none of them empty. Throws CLI::ValidationError naming the option.

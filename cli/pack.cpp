@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "cli/exit_status.h"
+#include "cli/growth_input.h"
 #include "cli/messages.h"
 #include "cli/pack_options.h"
 #include "cli/pack_output.h"
@@ -14,8 +15,6 @@
 #include "growth/aggregate/density_picture_png.h"
 #include "growth/aggregate/fill_aggregate.h"
 #include "growth/flow_field.h"
-#include "growth/strokes.h"
-#include "scene/svg_read.h"
 
 namespace rinceau {
 namespace {
@@ -23,15 +22,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-Scene read_lines(const std::string& name) {
-    const SvgReadResult read = read_svg(read_input(name), {.file_name = input_label(name)});
-    say_warnings(read.warnings);
-    return read.scene;
-}
-
-/// How near drawn lines are followed, as a share of their drawing.
-constexpr double deviation_share = 1e-3;
 
 PackDomain read_domain(const PackVerbOptions& options) {
     PackDomain domain{.tiled = options.tile};
@@ -41,8 +31,8 @@ PackDomain read_domain(const PackVerbOptions& options) {
         domain.box = from_meshes(options) ? Box{-0.5 * size, 0.5 * size} : Box{{0, -size.y}, {size.x, 0}};
         return domain;
     }
-    const Scene scene = read_lines(options.region);
-    domain.region = region_of(scene, deviation_share * drawing_diagonal(scene), input_label(options.region));
+    const Scene scene = read_guide(options.region);
+    domain.region = region_of(scene, guide_deviation(scene), input_label(options.region));
     domain.box = scene.sized && !is_empty(scene.viewport) ? scene.viewport : bounds(*domain.region);
     return domain;
 }
@@ -63,10 +53,10 @@ std::vector<double> shares_of(const PackShapes& shapes, const PackVerbOptions& o
 
 std::shared_ptr<const FlowField> read_flow(const PackVerbOptions& options, const Box& box) {
     if (options.flow.empty()) return nullptr;
-    const Scene scene = read_lines(options.flow);
-    const std::vector<Polyline> strokes = polylines_of(scene, deviation_share * drawing_diagonal(scene));
+    const Scene scene = read_guide(options.flow);
+    const std::vector<Polyline> strokes = polylines_of(scene, guide_deviation(scene));
     constexpr double steps = 200;  // along the box's diagonal
-    return std::make_shared<const FlowField>(make_flow_field(strokes, box, {.step = diagonal(box) / steps}));
+    return std::make_shared<const FlowField>(make_flow_field(strokes, box, {.step = diagonal(box) / steps}, input_label(options.flow)));
 }
 
 AggregateOptions fill_options(const PackShapes& shapes, const PackDomain& domain, const PackVerbOptions& options) {
@@ -96,12 +86,11 @@ Aggregate filled(const PackShapes& shapes, const PackDomain& domain, const Aggre
 int run_pack(const PackVerbOptions& options) {
     expect_pack_options(options);
     const auto start = Clock::now();
-    ProgressBar bar;
     const PackDomain domain = read_domain(options);
-    const PackShapes shapes = read_pack_shapes(options, bar.callback());
-    for (const std::string& warning : shapes.warnings) say("warning: " + warning);
+    const PackShapes shapes = read_pack_shapes(options);
     PackSeconds seconds{.shapes = seconds_since(start)};
 
+    ProgressBar bar;
     const AggregateOptions fill = fill_options(shapes, domain, options);
     const auto fill_start = Clock::now();
     const Aggregate aggregate = filled(shapes, domain, fill, options, bar.callback());

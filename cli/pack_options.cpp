@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 
-#include "cli/number_list.h"
+#include "cli/named_values.h"
 #include "cli/number_range.h"
 #include "geometry/angle.h"
 
@@ -15,6 +14,12 @@ namespace {
 constexpr int widest_png = 32767;  // librsvg's and cairo's limit
 
 [[noreturn]] void fail(const std::string& option, const std::string& message) { throw CLI::ValidationError(option, message); }
+
+std::vector<double> parse_numbers(const std::string& option, const std::string& expected, const std::string& text) {
+    std::vector<double> numbers;
+    for (const std::string& part : parse_list(option, text)) numbers.push_back(parse_number(option, expected, part));
+    return numbers;
+}
 
 Point parse_size(const std::string& text) {
     const std::string expected = "a width and a height above 0, W,H";
@@ -78,11 +83,14 @@ void add_shape_options(CLI::App& verb, PackVerbOptions& options) {
                      {{"keep", true}, {"fill", false}}, "keep|fill");
     verb.add_option("--regions", options.drawn_regions,
                     "Drawings (.svg) of the areas that shapes keep for themselves, a closed outline for each shape in the order "
-                    "of the shapes, drawn over them: one for all of SHAPES, or one for each")
+                    "of the shapes, drawn over them: one for all of SHAPES, or one for each; circle: the circle about each shape")
         ->delimiter(',')
-        ->type_name("FILE,..");
+        ->type_name("FILE,..|circle");
     verb.add_option_function<std::string>(
-            "--shares", [&options](const std::string& text) { options.shares = parse_named_numbers("--shares", text); },
+            "--shares",
+            [&options](const std::string& text) {
+                options.shares = parse_named_values({.option = "--shares", .high = 1e6}, text);
+            },
             "How many of each shape, in proportion; 1 for those that are not named")
         ->type_name("SYMBOL=N,..");
     verb.add_option("--share-tolerance", options.fill.share_tolerance,
@@ -181,6 +189,10 @@ bool from_meshes(const PackVerbOptions& options) {
                                [](const std::string& name) { return format_of(name, FileFormat::svg) == FileFormat::obj; });
 }
 
+bool keeps_circles(const PackVerbOptions& options) {
+    return options.drawn_regions == std::vector<std::string>{"circle"};
+}
+
 void add_pack_options(CLI::App& verb, PackVerbOptions& options) {
     verb.add_option("SHAPES", options.shapes,
                     "A drawing (.svg, .svgz, or - for standard input), of which each figure is a shape; several drawings: each "
@@ -195,13 +207,13 @@ void add_pack_options(CLI::App& verb, PackVerbOptions& options) {
     add_placing_options(verb, options);
     add_method_options(verb, options);
     verb.add_option("--meshes", options.meshes,
-                    "A mesh (.obj) for each shape, which stands in its place in .obj and .glb: as large as fits the shape's box")
+                    "A mesh (.obj) for each shape, which stands in its place in .obj, .glb and .png: as large as fits the shape's box")
         ->delimiter(',')
         ->type_name("FILE,..");
     add_choice<UpAxis>(verb, "--up", options.up, "Which axis of meshes points up: y (default) or z", {{"y", UpAxis::y}, {"z", UpAxis::z}},
                        "y|z");
     add_relief_options(verb, options);
-    verb.add_option("--width", options.width, "Width of pictures in pixels; without it, that of the drawing, and 1024 of a relief")
+    verb.add_option("--width", options.width, "Width of pictures in pixels; without it, that of the drawing, 900 for meshes, 1024 for a relief")
         ->check(CLI::Range(1, widest_png))
         ->type_name("W");
     verb.add_option("--report", options.report, "Where to write what was reached (.json, as docs/pack_report.schema.json says)")
@@ -216,7 +228,7 @@ void expect_pack_options(const PackVerbOptions& options) {
     const auto is_mesh = [](const std::string& name) { return format_of(name, FileFormat::svg) == FileFormat::obj; };
     if (!meshes && std::ranges::any_of(options.shapes, is_mesh)) fail("SHAPES", "expected drawings or meshes, found both");
     if (meshes && !options.meshes.empty()) fail("--meshes", "is for shapes from drawings only");
-    if (meshes && !options.drawn_regions.empty()) fail("--regions", "is for shapes from drawings only");
+    if (meshes && !options.drawn_regions.empty() && !keeps_circles(options)) fail("--regions", "is for shapes from drawings only");
     if (meshes && !options.sulci.empty()) fail("--sulci", "is for shapes from drawings only");
     if (!options.sulci.empty() && options.height_map.empty() && options.shaded.empty())
         fail("--sulci", "is for --height-map and --shaded only");

@@ -45,6 +45,9 @@ struct PackVerbOptions {
 /// Are the shapes meshes?
 bool from_meshes(const PackVerbOptions& options);
 
+/// Does every shape keep the circle about it?
+bool keeps_circles(const PackVerbOptions& options);
+
 void add_pack_options(CLI::App& verb, PackVerbOptions& options);
 
 /// Throws CLI::ValidationError for options that do not go together or names of outputs that say nothing, OutputError for

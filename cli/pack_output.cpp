@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/growth_output.h"
 #include "files/output_file.h"
 #include "growth/aggregate/height_picture_png.h"
 #include "growth/mesh/mesh_obj_write.h"
+#include "growth/mesh/mesh_picture.h"
 #include "growth/mesh/mesh_silhouette.h"
-#include "lsystem/grammar_text.h"
-#include "lsystem/to_scene.h"
 #include "scene/svg_raster.h"
 
 namespace rinceau {
@@ -78,39 +78,27 @@ MeshAssembly assembly_of(const PackShapes& shapes, const std::vector<PlacedRegio
     return assembly;
 }
 
-std::string svg_of(const PackShapes& shapes, const std::vector<PlacedRegion>& placed, const PackDomain& domain) {
-    Grammar grammar = shapes.drawing.grammar;
-    grammar.canvas = domain.box;
-    grammar.sized = true;
-    return grammar_svg(grammar, placements_of(shapes.drawing, placed_figures(shapes, placed, domain)));
-}
-
 void write_aggregate(const PackShapes& shapes, const std::vector<PlacedRegion>& placed, const PackDomain& domain,
                      const PackVerbOptions& options) {
-    OutputFile file(options.output);
-    switch (format_of(options.output, FileFormat::svg)) {
-        case FileFormat::obj:
-            write_obj(assembly_of(shapes, placed, options.up), [&](std::string_view piece) { file.write(piece); });
-            break;
-        case FileFormat::glb:
-            file.write(glb_bytes(assembly_of(shapes, placed, options.up), options.up));
-            break;
-        case FileFormat::json:
-            file.write(placements_json(shapes, placed, domain));
-            break;
-        case FileFormat::lsys:
-            file.write(to_text(grammar_of(shapes.drawing, placed_figures(shapes, placed, domain), domain.box)));
-            break;
-        case FileFormat::png:
-            file.write(svg_to_png(svg_of(shapes, placed, domain), options.width));
-            break;
-        case FileFormat::pdf:
-            file.write(svg_to_pdf(svg_of(shapes, placed, domain)));
-            break;
-        default:
-            file.write(svg_of(shapes, placed, domain));
+    const FileFormat format = format_of(options.output, FileFormat::svg);
+    if (format == FileFormat::png && !shapes.meshes.empty()) {
+        MeshView view;
+        if (options.width > 0) view.width = options.width;
+        return write_output(options.output, picture_to_png(mesh_picture(assembly_of(shapes, placed, options.up), options.up, view)));
     }
-    file.finish();
+    switch (format) {
+        case FileFormat::obj: {
+            OutputFile file(options.output);
+            write_obj(assembly_of(shapes, placed, options.up), [&](std::string_view piece) { file.write(piece); });
+            return file.finish();
+        }
+        case FileFormat::glb:
+            return write_output(options.output, glb_bytes(assembly_of(shapes, placed, options.up), options.up));
+        case FileFormat::json:
+            return write_output(options.output, placements_json(shapes, placed, domain));
+        default:
+            write_growth(shapes.drawing, placed_figures(shapes, placed, domain), domain.box, options.output, options.width);
+    }
 }
 
 void write_relief(const PackShapes& shapes, const std::vector<PlacedRegion>& placed, const PackDomain& domain,

@@ -5,63 +5,39 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "analyzer/analyze.h"
+#include "cli/growth_input.h"
 #include "growth/merge_figures.h"
 #include "growth/mesh/mesh_obj_read.h"
 #include "growth/mesh/mesh_silhouette.h"
-#include "growth/strokes.h"
-#include "scene/svg_read.h"
 
 namespace rinceau {
 namespace {
 
-/// How near outlines of shapes are followed, as a share of the drawing.
-constexpr double deviation_share = 5e-4;
-
 /// A file with shapes, and how to get from each figure to the file's plane.
 struct ShapeFile {
-    std::string label;
-    FiguredDrawing drawing;
+    GrowthInput input;
     std::vector<Similarity> drawn;  ///< figure -> scene, of its first whole instance
     std::optional<TriangleMesh> mesh;
+
+    const FiguredDrawing& drawing() const { return input.drawing; }
 };
 
-std::vector<std::string> messages(const std::vector<Warning>& warnings) {
-    std::vector<std::string> list;
-    for (const Warning& warning : warnings) list.push_back(located(warning.place, warning.message));
-    return list;
-}
-
-void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
-    list.insert(list.end(), more.begin(), more.end());
-}
-
-void expect_figures(const ShapeFile& file) {
-    if (file.drawing.figures.empty()) throw InputError({file.label}, "expected shapes that enclose an area, found none");
-}
-
-ShapeFile figures_of_scene(const Scene& scene, const std::string& label, const FigureOptions& figure_options, int threads,
-                           const Progress& progress) {
-    AnalyzeOptions analysis;
-    analysis.threads = threads;
-    ShapeFile file{.label = label, .drawing = figures_of(analyze(scene, analysis, progress).grammar, figure_options, progress)};
-    expect_figures(file);
-    for (std::size_t i = 0; i < file.drawing.figures.size(); ++i) {
+ShapeFile shape_file(GrowthInput input) {
+    ShapeFile file{.input = std::move(input)};
+    if (file.drawing().figures.empty()) throw InputError({file.input.label}, "expected shapes that enclose an area, found none");
+    for (std::size_t i = 0; i < file.drawing().figures.size(); ++i) {
         const auto is_copy = [i](const FigureInstance& instance) {
             return instance.whole && instance.figure == static_cast<int>(i);
         };
-        const auto first = std::ranges::find_if(file.drawing.instances, is_copy);
-        file.drawn.push_back(first == file.drawing.instances.end() ? Similarity{} : first->pose);
+        const auto first = std::ranges::find_if(file.drawing().instances, is_copy);
+        file.drawn.push_back(first == file.drawing().instances.end() ? Similarity{} : first->pose);
     }
     return file;
-}
-
-Scene read_scene(const std::string& name, std::vector<std::string>& warnings) {
-    const SvgReadResult read = read_svg(read_input(name), {.file_name = input_label(name)});
-    append(warnings, messages(read.warnings));
-    return read.scene;
 }
 
 /// Colours that are told apart beside each other, for meshes, which bring none.
@@ -88,19 +64,21 @@ Scene silhouette_scene(const TriangleMesh& mesh, UpAxis up, const std::string& l
 
 TriangleMesh read_mesh(const std::string& name) { return read_obj(read_input(name), {.file_name = input_label(name)}); }
 
-std::vector<ShapeFile> read_files(const PackVerbOptions& options, std::vector<std::string>& warnings, const Progress& progress) {
-    FigureOptions figure_options{.raised = options.raised};
-    figure_options.one_figure = options.shapes.size() > 1 || from_meshes(options);
+ShapeFile read_mesh_file(const std::string& name, const PackVerbOptions& options, std::size_t index) {
+    const std::string label = input_label(name);
+    TriangleMesh mesh = read_mesh(name);
+    const Scene scene = silhouette_scene(mesh, options.up, label, mesh_color(index));
+    ShapeFile file = shape_file({.label = label, .drawing = figures_of(analyze(scene).grammar, {.one_figure = true})});
+    file.mesh = std::move(mesh);
+    return file;
+}
+
+std::vector<ShapeFile> read_files(const PackVerbOptions& options) {
+    const FigureOptions figure_options{.raised = options.raised, .one_figure = options.shapes.size() > 1};
     std::vector<ShapeFile> files;
-    for (const std::string& name : options.shapes) {
-        const std::string label = input_label(name);
-        std::optional<TriangleMesh> mesh;
-        if (from_meshes(options)) mesh = read_mesh(name);
-        const Scene scene = mesh ? silhouette_scene(*mesh, options.up, label, mesh_color(files.size())) : read_scene(name, warnings);
-        files.push_back(figures_of_scene(scene, label, figure_options, options.threads, progress));
-        files.back().mesh = std::move(mesh);
-        append(warnings, files.back().drawing.warnings);
-    }
+    for (const std::string& name : options.shapes)
+        files.push_back(from_meshes(options) ? read_mesh_file(name, options, files.size())
+                                             : shape_file(read_growth_input(name, figure_options, options.threads)));
     return files;
 }
 
@@ -109,18 +87,18 @@ struct ShapePlace {
     const ShapeFile* file = nullptr;
     std::size_t figure = 0;
 
-    const Figure& shape() const { return file->drawing.figures[figure]; }
+    const Figure& shape() const { return file->drawing().figures[figure]; }
     Similarity drawn() const { return file->drawn[figure]; }
     /// For messages: the file, and the symbol if it has several shapes.
     std::string label() const {
-        return file->drawing.figures.size() > 1 ? file->label + ", shape " + shape().symbol : file->label;
+        return file->drawing().figures.size() > 1 ? file->input.label + ", shape " + shape().symbol : file->input.label;
     }
 };
 
 std::vector<ShapePlace> all_shapes(const std::vector<ShapeFile>& files) {
     std::vector<ShapePlace> places;
     for (const ShapeFile& file : files)
-        for (std::size_t i = 0; i < file.drawing.figures.size(); ++i) places.push_back({&file, i});
+        for (std::size_t i = 0; i < file.drawing().figures.size(); ++i) places.push_back({&file, i});
     return places;
 }
 
@@ -133,11 +111,11 @@ Region moved(const Similarity& pose, Region region) {
 /// What `option` draws over the shapes, in the shapes' order and in the scenes of their files: an outline for each element of a
 /// drawing that holds as many as there are shapes, or a whole drawing for each shape.
 std::vector<Region> drawn_over(const std::vector<std::string>& names, const std::string& option,
-                               const std::vector<ShapePlace>& shapes, std::vector<std::string>& warnings) {
+                               const std::vector<ShapePlace>& shapes) {
     std::vector<Region> regions;
     for (const std::string& name : names) {
-        Scene scene = read_scene(name, warnings);
-        const double deviation = deviation_share * drawing_diagonal(scene);
+        const Scene scene = read_guide(name);
+        const double deviation = guide_deviation(scene);
         if (names.size() > 1) {
             regions.push_back(region_of(scene, deviation, input_label(name)));
             continue;
@@ -161,12 +139,28 @@ Similarity upright(const ShapePlace& shape) { return {shape.drawn().linear, {}, 
 /// From the plane of the file to upright(): a move.
 Similarity to_upright(const ShapePlace& shape) { return translate(-shape.drawn().translation); }
 
+/// The circle about the outline's box that holds it (section 4.1, figure 9): what earlier methods keep free.
+Region circle_about(const Region& outline) {
+    constexpr int corners = 64;
+    const Point middle = center(bounds(outline));
+    double radius = 0;
+    for (const std::vector<Point>& ring : outline)
+        for (const Point p : ring) radius = std::max(radius, abs(p - middle));
+    std::vector<Point> circle;
+    for (int i = 0; i < corners; ++i) circle.push_back(middle + polar(radius / std::cos(pi / corners), two_pi * i / corners));
+    return {circle};
+}
+
 PackShape pack_shape(const ShapePlace& place, const Region* drawn, const Region* sulcus, const PackVerbOptions& options) {
     PackShape shape;
     const Region outline = moved(upright(place), place.shape().outline);
-    shape.region = drawn != nullptr
-                       ? drawn_exclusive_region(moved(to_upright(place), *drawn), options.exclusive, place.label())
-                       : exclusive_region(outline, options.exclusive, place.label());
+    if (drawn != nullptr) {
+        shape.region = drawn_exclusive_region(moved(to_upright(place), *drawn), options.exclusive, place.label());
+    } else if (keeps_circles(options)) {
+        shape.region = drawn_exclusive_region(circle_about(outline), options.exclusive, place.label());
+    } else {
+        shape.region = exclusive_region(outline, options.exclusive, place.label());
+    }
     const Similarity to_center = translate(-shape.region.center);
     shape.to_region = to_center * upright(place);
     shape.outline = moved(to_center, outline);
@@ -178,15 +172,15 @@ PackShape pack_shape(const ShapePlace& place, const Region* drawn, const Region*
 TriangleMesh stood_up(TriangleMesh mesh, UpAxis up, Point at, double scale) {
     const auto [low, high] = bounds(mesh);
     const Point middle = 0.5 * (ground_point(low, up) + ground_point(high, up));
-    const Point3 foot = up == UpAxis::y ? Point3{middle.x, low.y, -middle.y} : Point3{middle.x, middle.y, low.z};
-    const Point3 to = up == UpAxis::y ? Point3{at.x, 0, -at.y} : Point3{at.x, at.y, 0};
-    for (Point3& p : mesh.positions) p = scale * (p - foot) + to;
+    const SpacePoint foot = up == UpAxis::y ? SpacePoint{middle.x, low.y, -middle.y} : SpacePoint{middle.x, middle.y, low.z};
+    const SpacePoint to = up == UpAxis::y ? SpacePoint{at.x, 0, -at.y} : SpacePoint{at.x, at.y, 0};
+    for (SpacePoint& p : mesh.positions) p = scale * (p - foot) + to;
     return mesh;
 }
 
 Box ground_box(const TriangleMesh& mesh, UpAxis up) {
     Box box;
-    for (const Point3 p : mesh.positions) box = including(box, ground_point(p, up));
+    for (const SpacePoint p : mesh.positions) box = including(box, ground_point(p, up));
     return box;
 }
 
@@ -228,12 +222,12 @@ std::vector<NamedMesh> meshes_of(const PackShapes& shapes, const std::vector<Sha
 }
 
 /// One drawing as it is; several under the names of their files.
-FiguredDrawing joined(std::vector<ShapeFile>& files, const PackVerbOptions& options) {
-    if (files.size() == 1 && !from_meshes(options)) return files.front().drawing;
+FiguredDrawing joined(const std::vector<ShapeFile>& files, const PackVerbOptions& options) {
+    if (files.size() == 1 && !from_meshes(options)) return files.front().drawing();
     std::vector<FiguredDrawing> drawings;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        drawings.push_back(files[i].drawing);
+        drawings.push_back(files[i].drawing());
         names.push_back(std::filesystem::path(options.shapes[i]).stem().string());
     }
     return merged_figures(drawings, names);
@@ -241,13 +235,15 @@ FiguredDrawing joined(std::vector<ShapeFile>& files, const PackVerbOptions& opti
 
 }  // namespace
 
-PackShapes read_pack_shapes(const PackVerbOptions& options, const Progress& progress) {
+PackShapes read_pack_shapes(const PackVerbOptions& options) {
     PackShapes shapes;
-    std::vector<ShapeFile> files = read_files(options, shapes.warnings, progress);
+    const std::vector<ShapeFile> files = read_files(options);
+    for (const ShapeFile& file : files)
+        shapes.warnings.insert(shapes.warnings.end(), file.input.warnings.begin(), file.input.warnings.end());
     const std::vector<ShapePlace> places = all_shapes(files);
     std::vector<Region> drawn, sulci;
-    if (!options.drawn_regions.empty()) drawn = drawn_over(options.drawn_regions, "--regions", places, shapes.warnings);
-    if (!options.sulci.empty()) sulci = drawn_over(options.sulci, "--sulci", places, shapes.warnings);
+    if (!options.drawn_regions.empty() && !keeps_circles(options)) drawn = drawn_over(options.drawn_regions, "--regions", places);
+    if (!options.sulci.empty()) sulci = drawn_over(options.sulci, "--sulci", places);
     for (std::size_t i = 0; i < places.size(); ++i)
         shapes.shapes.push_back(
             pack_shape(places[i], drawn.empty() ? nullptr : &drawn[i], sulci.empty() ? nullptr : &sulci[i], options));

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "cli/pack_options.h"
-#include "geometry/progress.h"
 #include "growth/figures.h"
 
 namespace rinceau {
@@ -22,11 +21,11 @@ struct PackShapes {
     FiguredDrawing drawing;          ///< a figure for each shape, without instances
     std::vector<PackShape> shapes;   ///< in the order of the figures
     std::vector<NamedMesh> meshes;   ///< one for each shape, standing upon the ground over the region's origin; or none
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings;  ///< of the files of shapes; they were said
 };
 
 /// Reads all that options.shapes, meshes, drawn_regions and sulci name. Throws InputError if something is no drawing or mesh, a
 /// shape has no area, margins leave nothing, or there are not as many regions or meshes as shapes.
-PackShapes read_pack_shapes(const PackVerbOptions& options, const Progress& progress);
+PackShapes read_pack_shapes(const PackVerbOptions& options);
 
 }  // namespace rinceau

@@ -15,6 +15,16 @@ Repaint combined(const Repaint& own, const Repaint& wanted) {
     return {wanted.fill ? wanted.fill : own.fill, wanted.stroke ? wanted.stroke : own.stroke};
 }
 
+/// The figure's parts in the scene, in the colours that they have there.
+std::vector<Placement> parts_of(const Figure& figure, const PlacedFigure& placed) {
+    std::vector<Placement> parts = figure.parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].pose = placed.pose * parts[i].pose;
+        if (i < placed.repaints.size()) parts[i].repaint = combined(parts[i].repaint, placed.repaints[i]);
+    }
+    return parts;
+}
+
 void append_color(ModuleTemplates& string, const char* command, const std::optional<Color>& color) {
     if (!color) return;
     string.push_back({command, {}, {}});
@@ -43,52 +53,42 @@ class PlacedFigureWriter {
     PlacedFigureWriter(const FiguredDrawing& drawing, const Box& canvas, Grammar& grammar)
         : drawing_(drawing), size_(std::max(diagonal(canvas), 1e-300)), grammar_(grammar) {}
 
+    /// Parts in colours of their own stand in the axiom one by one: productions are for what is drawn alike again and again.
     void write(const PlacedFigure& placed) {
         const Figure& figure = drawing_.figures[static_cast<std::size_t>(placed.figure)];
-        if (figure.parts.size() == 1) {
-            Placement part = figure.parts.front();
-            part.pose = placed.pose * part.pose;
-            part.repaint = combined(part.repaint, placed.repaint);
-            append_part(grammar_.axiom, drawing_.grammar, part, size_);
+        if (figure.parts.size() == 1 || !placed.repaints.empty()) {
+            for (const Placement& part : parts_of(figure, placed)) append_part(grammar_.axiom, drawing_.grammar, part, size_);
             return;
         }
         grammar_.axiom.push_back({"[", {}, {}});
         append(grammar_.axiom, turtle_modules(placed.pose, size_, exact_digits));
-        append_color(grammar_.axiom, "fill", placed.repaint.fill);
-        append_color(grammar_.axiom, "stroke", placed.repaint.stroke);
-        grammar_.axiom.push_back({production_of(placed, figure), {}, {}});
+        grammar_.axiom.push_back({production_of(placed.figure), {}, {}});
         grammar_.axiom.push_back({"]", {}, {}});
     }
 
   private:
-    /// Parts in colours of their own lose them where the whole is repainted: that is a production of its own.
-    std::string production_of(const PlacedFigure& placed, const Figure& figure) {
-        const bool fill = placed.repaint.fill.has_value();
-        const bool stroke = placed.repaint.stroke.has_value();
-        const auto key = std::tuple{placed.figure, fill, stroke};
-        if (const auto known = names_.find(key); known != names_.end()) return known->second;
+    std::string production_of(int index) {
+        if (const auto known = names_.find(index); known != names_.end()) return known->second;
+        const Figure& figure = drawing_.figures[static_cast<std::size_t>(index)];
         std::string name;
         for (const char c : figure.symbol) name += c == '+' || c == '.' ? '_' : c;
-        if (name.size() > longest_name) name = "Figure" + std::to_string(placed.figure + 1);
+        if (name.size() > longest_name) name = "Figure" + std::to_string(index + 1);
         name = free_name(name, [&](const std::string& wanted) {
             return std::ranges::count(drawing_.grammar.terminals, wanted, &Terminal::symbol) > 0 ||
                    std::ranges::count(grammar_.productions, wanted, &Production::symbol) > 0;
         });
         Production production{.symbol = name};
-        for (Placement part : figure.parts) {
-            if (fill) part.repaint.fill.reset();
-            if (stroke) part.repaint.stroke.reset();
+        for (const Placement& part : figure.parts)
             append_part(production.successor, drawing_.grammar, part, std::max(figure.radius, 1e-300));
-        }
         grammar_.productions.push_back(std::move(production));
-        return names_[key] = name;
+        return names_[index] = name;
     }
 
     static constexpr std::size_t longest_name = 24;
     const FiguredDrawing& drawing_;
     double size_;
     Grammar& grammar_;
-    std::map<std::tuple<int, bool, bool>, std::string> names_;
+    std::map<int, std::string> names_;
 };
 
 /// What the figures do not use is left out; numbers of styles stay.
@@ -105,9 +105,7 @@ void keep_used(Grammar& grammar) {
 std::vector<Placement> placements_of(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed) {
     std::vector<Placement> placements;
     for (const PlacedFigure& figure : placed)
-        for (Placement part : drawing.figures[static_cast<std::size_t>(figure.figure)].parts) {
-            part.pose = figure.pose * part.pose;
-            part.repaint = combined(part.repaint, figure.repaint);
+        for (Placement& part : parts_of(drawing.figures[static_cast<std::size_t>(figure.figure)], figure)) {
             part.layer = 0;
             part.order = static_cast<int>(placements.size());
             placements.push_back(std::move(part));

@@ -99,9 +99,12 @@ Region stroke_region(const std::vector<Path>& paths, const Stroke& stroke, doubl
     const Grid grid = grid_over(grown(bounds(lines), half_width * std::max(stroke.miter_limit, 2.0)));
     ClipperLib::ClipperOffset offset(std::max(stroke.miter_limit, 2.0), std::max(1.0, deviation * grid.scale));
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        const auto join = even ? join_type(stroke.join) : ClipperLib::jtRound;
         const auto open_end = even ? end_type(stroke.cap, !stroke.dashes.empty()) : ClipperLib::etOpenRound;
-        const bool dot = lines[i].size() < 2;
+        const bool dot =
+            lines[i].size() < 2 || std::ranges::all_of(lines[i], [&](Point p) { return p == lines[i].front(); });
+        // a point has no join, but it is round or square by that
+        const bool round = !even || (dot && open_end == ClipperLib::etOpenRound);
+        const auto join = round ? ClipperLib::jtRound : join_type(stroke.join);
         ClipperLib::Path line = to_grid(lines[i], grid);
         // A single point has no join; doubled, it has caps.
         if (dot) line.push_back(line.front());

@@ -1,11 +1,10 @@
-// Pixels through libpng's simplified interface, which gives linear light whatever the file holds.
+// Pixels through libpng's simplified interface: grey and opacity in 256 steps whatever the file holds, which is as fine as a
+// density can be told.
 
 #include "growth/aggregate/density_picture_png.h"
 
 #include <png.h>
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "scene/input_error.h"
@@ -24,12 +23,6 @@ struct PngImage {
     ~PngImage() { png_image_free(&image); }
 };
 
-/// How dark linear light looks: 1 less the value that an sRGB file would hold (IEC 61966-2-1).
-double darkness(double light) {
-    const double value = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-    return std::fmax(0, 1 - value);
-}
-
 }  // namespace
 
 DensityPicture read_density_png(std::string_view bytes, const Box& box, const std::string& label) {
@@ -42,18 +35,18 @@ DensityPicture read_density_png(std::string_view bytes, const Box& box, const st
     if (std::uint64_t{image.width} * image.height > most_pixels)
         throw LimitError({label}, "the picture has more than " + std::to_string(most_pixels) + " pixels; make it smaller");
     image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // what says nothing of its values is as bright as it would be with 8 bits
-    image.format = PNG_FORMAT_LINEAR_Y_ALPHA;
-    constexpr std::size_t channels = 2;  // light times opacity, opacity
+    image.format = PNG_FORMAT_GA;
+    constexpr std::size_t channels = 2;
     const std::size_t count = std::size_t{image.width} * image.height;
-    std::vector<std::uint16_t> pixels(channels * count);
+    std::vector<std::uint8_t> pixels(channels * count);
     expect(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr));
 
     DensityPicture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}, box};
     picture.values.reserve(count);
-    constexpr double full = 65535;
+    constexpr double full = 255;
     for (std::size_t i = 0; i < count; ++i) {
-        const double light = pixels[channels * i] / full, opacity = pixels[channels * i + 1] / full;
-        picture.values.push_back(darkness(light + 1 - opacity));
+        const double grey = pixels[channels * i] / full, opacity = pixels[channels * i + 1] / full;
+        picture.values.push_back(opacity * (1 - grey));  // over white
     }
     return picture;
 }

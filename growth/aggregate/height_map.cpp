@@ -155,6 +155,7 @@ HeightMap height_map(const std::vector<Region>& cristae, const std::vector<Regio
                                     : options.depth * (1 - smooth_step(outside.values[i] / reach)));
     }
 
+    if (sulci.empty()) return map;
     // Sulci of their own, sunk in from their edges.
     for_each_placed(all_oriented(sulci), placed, domain, 0, progress, [&](const Region& region) {
         for_each_pixel(inside, region, 0, [&](std::size_t i, Point p, bool is_inside) {

@@ -18,8 +18,8 @@ std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(std::lroun
 }  // namespace
 
 Picture shaded_relief(const HeightMap& map, const ReliefLook& look) {
-    const Point3 light = unit({-0.55, 0.6, 0.75}), eye{0, 0, 1};
-    const Point3 half_way = unit(light + eye);
+    const SpacePoint light = unit({-0.55, 0.6, 0.75}), eye{0, 0, 1};
+    const SpacePoint half_way = unit(light + eye);
     constexpr double ambient = 0.35, diffuse = 0.75, gloss = 45, shine = 30;  // gloss of 255
     const double relief = look.relief * map.rise;
     const double step = width(map.box) / map.columns;
@@ -34,7 +34,7 @@ Picture shaded_relief(const HeightMap& map, const ReliefLook& look) {
         for (int column = 0; column < map.columns; ++column) {
             const double east = height_at(column + 1, row) - height_at(column - 1, row);
             const double north = height_at(column, row - 1) - height_at(column, row + 1);
-            const Point3 normal = unit({-relief * east / (2 * step), -relief * north / (2 * step), 1});
+            const SpacePoint normal = unit({-relief * east / (2 * step), -relief * north / (2 * step), 1});
             const double open = 0.45 + 0.55 * height_at(column, row);  // deep places see less of the sky
             const double lit = open * (ambient + diffuse * std::max(0.0, dot(normal, light)));
             const double glint = open * gloss * std::pow(std::max(0.0, dot(normal, half_way)), shine);

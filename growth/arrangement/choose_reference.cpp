@@ -21,7 +21,8 @@ const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) 
 
 }  // namespace
 
-ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at)
+ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at,
+                                   int except)
     : ground_(ground), weights_(ground.options.weights) {
     const Exemplar& exemplar = ground.exemplar;
     if (weights_.repeat != 0) {
@@ -29,7 +30,7 @@ ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const 
         const double near = repeat_near * exemplar.mean_edge;
         arrangement.grid.visit(at, repeat_far * exemplar.mean_edge, [&](int node, Point position) {
             const int reference = node_of(arrangement, node).reference;
-            if (reference < 0) return;
+            if (reference < 0 || node == except) return;
             const int sub_id = exemplar.elements[static_cast<std::size_t>(reference)].sub_id;
             repeats_[static_cast<std::size_t>(sub_id)] += norm(position - at) < near * near ? 1 : 0.5;
         });
@@ -94,7 +95,7 @@ ReferenceMatch best_reference(const ElementArrangement& arrangement, const Growt
                               int seed, const TargetRing& ring, Random& random) {
     const ArrangementNode& node = node_of(arrangement, seed);
     const std::vector<int>& candidates = candidates_for(ground, node.symbol);
-    const ReferenceCharges charges(arrangement, ground, node.position);
+    const ReferenceCharges charges(arrangement, ground, node.position, seed);
     const double angle = seed_angle(arrangement, ground, seed);
     const std::size_t first = random.below(static_cast<std::uint32_t>(candidates.size()));
     ReferenceMatch best = cheapest(candidates, charges, first, [&](int reference, double base, double limit) {
@@ -111,7 +112,7 @@ ReferenceMatch best_reference(const ElementArrangement& arrangement, const Growt
 std::vector<ReferenceMatch> references_by_cost(const ElementArrangement& arrangement, const GrowthGround& ground,
                                                RingMatcher& matcher, int seed, const TargetRing& ring) {
     const ArrangementNode& node = node_of(arrangement, seed);
-    const ReferenceCharges charges(arrangement, ground, node.position);
+    const ReferenceCharges charges(arrangement, ground, node.position, seed);
     const double angle = seed_angle(arrangement, ground, seed);
     std::vector<ReferenceMatch> matches;
     for (const int reference : candidates_for(ground, node.symbol)) {

@@ -10,7 +10,8 @@ namespace rinceau {
 /// What is charged for choosing a reference, beside its ring: copies of it nearby, and shares that drift.
 class ReferenceCharges {
   public:
-    ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at);
+    /// For what stands or will stand at `at`; the node `except` does not count.
+    ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, int except);
     double of(int reference) const;
 
   private:

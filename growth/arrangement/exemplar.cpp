@@ -9,6 +9,7 @@
 
 #include "geometry/kd_tree.h"
 #include "growth/arrangement/connectivity.h"
+#include "growth/arrangement/lattice_index.h"
 #include "growth/arrangement/ring_likeness.h"
 #include "scene/input_error.h"
 
@@ -46,6 +47,7 @@ void check_positions(const std::vector<ExemplarPoint>& points, const ExemplarOpt
 struct ChosenConnectivity {
     Connectivity connectivity;
     bool irregular = true;
+    std::optional<PointLattice> lattice;
 };
 
 /// A pattern is regular if either measure of ties makes its rings alike.
@@ -62,6 +64,13 @@ ChosenConnectivity chosen_connectivity(std::span<const Point> positions, const E
         if (alike >= 1) break;
     }
     chosen.irregular = best < regular;
+    // what was flipped by hand or merged by a given measure is meant as it is
+    if (options.find_lattice && options.flips.empty() && !(options.tie > 0))
+        chosen.lattice = find_lattice(positions, chosen.connectivity.spacing);
+    if (chosen.lattice) {
+        chosen.connectivity = lattice_connectivity(positions, *chosen.lattice);
+        chosen.irregular = false;
+    }
     return chosen;
 }
 
@@ -94,8 +103,10 @@ Connectivity with_flip(std::span<const Point> positions, Connectivity connectivi
     return connectivity;
 }
 
-/// Rings that are whole: none at the rim, and none that has a face with an edge on the rim, unless that leaves too few.
-std::vector<bool> usable_points(const std::vector<ExemplarPoint>& points, const Connectivity& connectivity) {
+/// Rings that are whole: none at the rim, and none that has a face with an edge on the rim, unless that leaves too few or a
+/// lattice vouches for them.
+std::vector<bool> usable_points(const std::vector<ExemplarPoint>& points, const ChosenConnectivity& chosen) {
+    const Connectivity& connectivity = chosen.connectivity;
     constexpr std::ptrdiff_t few = 5;
     std::vector<bool> inner(points.size());
     std::vector<bool> deep(points.size());
@@ -105,12 +116,13 @@ std::vector<bool> usable_points(const std::vector<ExemplarPoint>& points, const 
     }
     const auto candidates = std::ranges::count(inner, true);
     const auto good = std::ranges::count(deep, true);
-    return good < few || 4 * good < candidates ? inner : deep;
+    return chosen.lattice || good < few || 4 * good < candidates ? inner : deep;
 }
 
 void add_elements(const std::vector<ExemplarPoint>& points, std::span<const Point> positions,
-                  const Connectivity& connectivity, Exemplar& exemplar) {
-    const std::vector<bool> usable = usable_points(points, connectivity);
+                  const ChosenConnectivity& chosen, Exemplar& exemplar) {
+    const Connectivity& connectivity = chosen.connectivity;
+    const std::vector<bool> usable = usable_points(points, chosen);
     for (std::size_t p = 0; p < positions.size(); ++p) {
         const ExemplarPoint& original = points[p % points.size()];
         ExemplarElement element{.position = positions[p],
@@ -118,6 +130,7 @@ void add_elements(const std::vector<ExemplarPoint>& points, std::span<const Poin
                                 .sub_id = static_cast<int>(p % points.size()),
                                 .outline = original.outline,
                                 .usable = p < points.size() && usable[p]};
+        if (chosen.lattice && chosen.lattice->index[p]) element.lattice = *chosen.lattice->index[p];
         for (const auto& polygon : element.outline)
             for (const Point corner : polygon) element.radius = std::max(element.radius, abs(corner));
         element.ring.elements = connectivity.rings[p];
@@ -259,7 +272,8 @@ Exemplar make_exemplar(const std::vector<ExemplarPoint>& points, const std::vect
             with_flip(positions, std::move(chosen.connectivity), flip, static_cast<int>(points.size()), label);
     Exemplar exemplar{.originals = points.size(), .tile = options.tile, .irregular = chosen.irregular};
     for (const std::string& name : symbol_names) exemplar.symbols.push_back({.name = name});
-    add_elements(points, positions, chosen.connectivity, exemplar);
+    if (chosen.lattice) exemplar.lattice = {chosen.lattice->steps, chosen.lattice->basis};
+    add_elements(points, positions, chosen, exemplar);
     check_usable(exemplar, label);
     add_edges(exemplar);
     add_figures(points, positions, chosen.connectivity, exemplar);

@@ -39,7 +39,7 @@ struct ExemplarLattice {
 };
 
 struct ExemplarSymbol {
-    std::string name;    ///< of the figure, or of the largest of several that count as one kind
+    std::string name;    ///< of the kind: that of its most frequent figure
     double share = 0;    ///< of all elements
     double density = 0;  ///< elements per unit of area
 };
@@ -91,9 +91,8 @@ struct ExemplarOptions {
 Exemplar make_exemplar(const std::vector<ExemplarPoint>& points, const std::vector<std::string>& symbol_names,
                        const ExemplarOptions& options, const std::string& label);
 
-/// The same from a drawing; element i of the exemplar is instances[i] of the drawing (with a tile: i modulo their number).
-/// Figures are sorted into kinds: by figure; those that have fewer than three copies by what paints them and how large they
-/// are.
+/// The same from a drawing; element i of the exemplar is instances[i] of the drawing (with a tile: i modulo their number). A
+/// drawing that is a tile comes from as_tile (tile_of_drawing.h). Figures are sorted into kinds: element_kinds (kinds.h).
 Exemplar make_exemplar(const FiguredDrawing& drawing, const ExemplarOptions& options, const std::string& label);
 
 }  // namespace rinceau

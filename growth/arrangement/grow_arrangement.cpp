@@ -224,15 +224,6 @@ ElementArrangement grow(ElementArrangement arrangement, const Exemplar& exemplar
     return Growing(std::move(arrangement), exemplar, around, order).run(progress);
 }
 
-ElementArrangement finished(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around,
-                            const GrowOrder& order, const Progress& progress) {
-    (void)order;
-    (void)progress;
-    const GrowthGround ground = make_ground(exemplar, around, arrangement.options);
-    if (arrangement.elements > 0) settle_all(arrangement, ground, 4);
-    return arrangement;
-}
-
 std::vector<ArrangedElement> arranged_elements(const ElementArrangement& arrangement) {
     std::vector<ArrangedElement> elements;
     for (const int index : nodes_by_birth(arrangement)) {

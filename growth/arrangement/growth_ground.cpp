@@ -83,6 +83,7 @@ void fill_least_distances(GrowthGround& ground) {
                 std::isfinite(seen) ? std::min(seen, farthest_push * exemplar.mean_edge) : exemplar.shortest_edge;
             ground.reach = std::max(ground.reach, ground.least[a][b]);
         }
+        ground.reach_of.push_back(*std::max_element(ground.least[a].begin(), ground.least[a].end()));
         ground.least_of[a] = *std::min_element(ground.least[a].begin(), ground.least[a].end());
     }
 }
@@ -97,6 +98,8 @@ GrowthGround make_ground(const Exemplar& exemplar, const ArrangeSurroundings& ar
         ground.rings.push_back(flat_ring(exemplar, element));
         if (options.two_rings) add_outer_ring(exemplar, element, ground.rings.back());
         ground.sub_ids = std::max(ground.sub_ids, element.sub_id + 1);
+        ground.boxes.push_back(bounds(element.outline));
+        ground.largest_radius = std::max(ground.largest_radius, element.radius);
         if (!element.usable) continue;
         ground.usable.push_back(static_cast<int>(i));
         ground.usable_of[static_cast<std::size_t>(element.symbol)].push_back(static_cast<int>(i));

@@ -70,13 +70,19 @@ void add_outer(const ElementArrangement& arrangement, const GrowthGround& ground
 
 }  // namespace
 
-TargetRing target_ring(const ElementArrangement& arrangement, const GrowthGround& ground, int node) {
+TargetRing ring_of_nodes(const ElementArrangement& arrangement, const GrowthGround& ground, int node,
+                         const std::vector<int>& others) {
     TargetRing ring;
-    for (const RingLink& link : node_of(arrangement, node).links)
-        ring.inner.push_back(neighbor_of(arrangement, ground, node, link.other));
+    for (const int other : others) ring.inner.push_back(neighbor_of(arrangement, ground, node, other));
     order_ring(ring.inner);
     if (ground.options.two_rings) add_outer(arrangement, ground, node, ring);
     return ring;
+}
+
+TargetRing target_ring(const ElementArrangement& arrangement, const GrowthGround& ground, int node) {
+    std::vector<int> others;
+    for (const RingLink& link : node_of(arrangement, node).links) others.push_back(link.other);
+    return ring_of_nodes(arrangement, ground, node, others);
 }
 
 void RingMatcher::turn_places(const ReferenceRing& ring, Complex turn) {
@@ -170,12 +176,12 @@ Complex RingMatcher::fitted_turn(const TargetRing& target, const ReferenceRing& 
     return length > 0 ? sum / length : otherwise;
 }
 
-void RingMatcher::keep(ReferenceMatch& best, int reference, Complex turn, double cost) const {
+void RingMatcher::keep(ReferenceMatch& best, int reference, Complex turn, double cost) {
     if (!(cost < best.cost)) return;
     best.reference = reference;
     best.angle = arg(turn);
     best.cost = cost;
-    best.places = places_;
+    best.places.swap(places_);  // the room of either is used again
 }
 
 void RingMatcher::try_turn(const TargetRing& target, int reference, Complex turn, double base, double limit,

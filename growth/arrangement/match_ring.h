@@ -23,7 +23,10 @@ struct TargetRing {
     std::vector<RingNeighbor> outer;  ///< the neighbours' neighbours; only if two rings are compared
 };
 
+/// The node's neighbours.
 TargetRing target_ring(const ElementArrangement& arrangement, const GrowthGround& ground, int node);
+/// The same of nodes that are no neighbours yet.
+TargetRing ring_of_nodes(const ElementArrangement& arrangement, const GrowthGround& ground, int node, const std::vector<int>& others);
 
 /// A matching of rings (the f of eq. 3).
 struct ReferenceMatch {
@@ -53,7 +56,7 @@ class RingMatcher {
     double match_in_order(const TargetRing& target, const ReferenceRing& ring, std::size_t first, double base, double limit);
     double outer_cost(const TargetRing& target, const ReferenceRing& ring, Complex turn, double cost, double limit) const;
     Complex fitted_turn(const TargetRing& target, const ReferenceRing& ring, Complex otherwise) const;
-    void keep(ReferenceMatch& best, int reference, Complex turn, double cost) const;
+    void keep(ReferenceMatch& best, int reference, Complex turn, double cost);
     void try_turn(const TargetRing& target, int reference, Complex turn, double base, double limit, ReferenceMatch& best);
     void try_shifts(const TargetRing& target, int reference, Complex turn, double base, double limit, ReferenceMatch& best);
 

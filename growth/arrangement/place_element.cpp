@@ -36,14 +36,6 @@ bool may_join(const ElementArrangement& arrangement, const GrowthGround& ground,
            !is_barred(ground, from, to);
 }
 
-// The link fills the place of the element's ring.
-void fill_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int other, int place) {
-    const ArrangementNode& node = node_of(arrangement, element);
-    RingLink* link = link_to(arrangement, element, other);
-    link->place = place;
-    link->target = ring_target(ground, node.reference, place, node.angle, node.position);
-}
-
 // The element's end of an edge to another one.
 void claim_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int other) {
     const ArrangementNode& node = node_of(arrangement, element);
@@ -209,6 +201,23 @@ std::vector<int> close_ring(ElementArrangement& arrangement, const GrowthGround&
 
 }  // namespace
 
+void fill_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int other, int place) {
+    const ArrangementNode& node = node_of(arrangement, element);
+    RingLink* link = link_to(arrangement, element, other);
+    link->place = place;
+    link->target = ring_target(ground, node.reference, place, node.angle, node.position);
+}
+
+void become_element(ElementArrangement& arrangement, const GrowthGround& ground, int seed, int reference, double angle) {
+    ArrangementNode& node = node_of(arrangement, seed);
+    node.reference = reference;
+    node.symbol = ground.exemplar.elements[static_cast<std::size_t>(reference)].symbol;
+    node.angle = angle;
+    node.birth = arrangement.births++;
+    ++arrangement.elements;
+    ++arrangement.counts[static_cast<std::size_t>(node.symbol)];
+}
+
 std::uint64_t site_key(std::array<int, 2> site) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(site[0])) << 32U) | static_cast<std::uint32_t>(site[1]);
 }
@@ -263,13 +272,7 @@ Point fitted_position(const ElementArrangement& arrangement, const GrowthGround&
 std::vector<int> place_element(ElementArrangement& arrangement, const GrowthGround& ground, int seed, const TargetRing& ring,
                                const ReferenceMatch& match, Point at) {
     move_node(arrangement, seed, at);
-    ArrangementNode& node = node_of(arrangement, seed);
-    node.reference = match.reference;
-    node.symbol = ground.exemplar.elements[static_cast<std::size_t>(match.reference)].symbol;
-    node.angle = match.angle;
-    node.birth = arrangement.births++;
-    ++arrangement.elements;
-    ++arrangement.counts[static_cast<std::size_t>(node.symbol)];
+    become_element(arrangement, ground, seed, match.reference, match.angle);
     for (std::size_t i = 0; i < ring.inner.size(); ++i) {
         const int other = ring.inner[i].node;
         if (match.places[i] >= 0) fill_place(arrangement, ground, seed, other, match.places[i]);

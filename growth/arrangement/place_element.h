@@ -10,6 +10,12 @@ namespace rinceau {
 /// The symbol that a seed for an element of the exemplar has: its own, or none if no usable element has that.
 int seed_symbol(const GrowthGround& ground, int symbol);
 
+/// A seed gets its reference; its links stay as they are.
+void become_element(ElementArrangement& arrangement, const GrowthGround& ground, int seed, int reference, double angle);
+
+/// The element's link to `other` fills the place of its ring.
+void fill_place(ElementArrangement& arrangement, const GrowthGround& ground, int element, int other, int place);
+
 /// Where the matched elements want the reference to be; the seed's own place if that is far off or a line stands between.
 Point fitted_position(const ElementArrangement& arrangement, const GrowthGround& ground, int seed, const TargetRing& ring,
                       const ReferenceMatch& match);

@@ -26,10 +26,12 @@ void push_apart(ElementArrangement& arrangement, const GrowthGround& ground, int
         double distance;
     };
     std::vector<Near> near;
-    arrangement.grid.visit(node_of(arrangement, node).position, ground.reach, [&](int other, Point position) {
+    const Point at = node_of(arrangement, node).position;
+    const auto symbol = static_cast<std::size_t>(node_of(arrangement, node).symbol);
+    arrangement.grid.visit(at, ground.reach_of[symbol], [&](int other, Point position) {
         if (other == node || !is_element(node_of(arrangement, other))) return;
-        const double least = least_distance(ground, node_of(arrangement, node).symbol, node_of(arrangement, other).symbol);
-        if (abs(position - node_of(arrangement, node).position) < (1 - tolerance) * least) near.push_back({other, least});
+        const double least = ground.least[symbol][static_cast<std::size_t>(node_of(arrangement, other).symbol)];
+        if (abs(position - at) < (1 - tolerance) * least) near.push_back({other, least});
     });
     for (const Near& pair : near) {
         ArrangementNode& a = node_of(arrangement, node);

@@ -2,10 +2,9 @@
 // those that come over a line are moved back by what their outline reaches over it.
 #include "growth/arrangement/stay_inside.h"
 
-#include <algorithm>
-
 #include "geometry/similarity.h"
 #include "growth/arrangement/node_links.h"
+#include "growth/arrangement/outline_contact.h"
 
 namespace rinceau {
 
@@ -13,15 +12,6 @@ namespace {
 
 constexpr double clearance = 1e-3;  // of a mean edge: what only touches counts as cut
 constexpr int push_rounds = 4;      // one for each line of a corner, and again
-
-// How far the outline reaches from its position in a direction (of length 1).
-double extent(const ExemplarElement& element, double angle, Point direction) {
-    const Point own = conj(polar(1, angle)) * direction;
-    double reach = 0;
-    for (const std::vector<Point>& ring : element.outline)
-        for (const Point p : ring) reach = std::max(reach, dot(p, own));
-    return reach;
-}
 
 }  // namespace
 
@@ -46,7 +36,7 @@ Point pushed_inside(const GrowthGround& ground, int reference, double angle, Poi
         const double distance = abs(at - *line);
         if (!(distance > 0)) return at;
         const Point away = ((outside ? -1 : 1) / distance) * (at - *line);
-        const double missing = extent(element, angle, -away) + margin - (outside ? -distance : distance);
+        const double missing = outline_extent(element, angle, -away) + margin - (outside ? -distance : distance);
         if (missing <= 0) return at;
         at += missing * away;
     }

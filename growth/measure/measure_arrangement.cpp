@@ -114,16 +114,26 @@ void measure_shares(ArrangementMeasures& measures, const Exemplar& exemplar, con
     measures.shares.assign(exemplar.symbols.size(), 0);
     for (const int symbol : grown.symbols)
         measures.shares[static_cast<std::size_t>(symbol)] += 1 / static_cast<double>(grown.symbols.size());
-    for (std::size_t symbol = 0; symbol < exemplar.symbols.size(); ++symbol) {
-        const double wanted = exemplar.symbols[symbol].share;
-        if (!(wanted > 0)) continue;
+    std::vector<bool> can_grow(exemplar.symbols.size());
+    for (const ExemplarElement& element : exemplar.elements)
+        if (element.usable) can_grow[static_cast<std::size_t>(element.symbol)] = true;
+    double all = 0;
+    for (std::size_t symbol = 0; symbol < can_grow.size(); ++symbol)
+        all += can_grow[symbol] ? exemplar.symbols[symbol].share : 0;
+    for (std::size_t symbol = 0; symbol < can_grow.size(); ++symbol) {
+        if (!can_grow[symbol]) {
+            ++measures.lost_symbols;
+            continue;
+        }
+        const double wanted = exemplar.symbols[symbol].share / all;
         double& error = wanted < large_share ? measures.small_share_error : measures.share_error;
         error = std::max(error, std::abs(measures.shares[symbol] / wanted - 1));
     }
 }
 
+/// Copies of the same element near each other, and neighbours as they stand in the exemplar.
 void measure_repeats(ArrangementMeasures& measures, const Exemplar& exemplar, const std::vector<ArrangedElement>& elements,
-                     const KdTree& tree) {
+                     std::span<const std::pair<int, int>> edges, const KdTree& tree) {
     std::set<int> usable;
     for (const ExemplarElement& element : exemplar.elements)
         if (element.usable) usable.insert(element.sub_id);
@@ -137,6 +147,20 @@ void measure_repeats(ArrangementMeasures& measures, const Exemplar& exemplar, co
                 reference_of(exemplar, elements[i]).sub_id == reference_of(exemplar, elements[near.index]).sub_id ? 1 : 0;
         }
     measures.repeats = pairs > 0 ? same / pairs : measures.chance;
+
+    std::set<std::pair<int, int>> neighbors;
+    for (const auto& [a, b] : exemplar.edges) {
+        const int first = exemplar.elements[static_cast<std::size_t>(a)].sub_id,
+                  second = exemplar.elements[static_cast<std::size_t>(b)].sub_id;
+        neighbors.insert({std::min(first, second), std::max(first, second)});
+    }
+    double verbatim = 0;
+    for (const auto& [a, b] : edges) {
+        const int first = reference_of(exemplar, elements[static_cast<std::size_t>(a)]).sub_id;
+        const int second = reference_of(exemplar, elements[static_cast<std::size_t>(b)]).sub_id;
+        verbatim += static_cast<double>(neighbors.count({std::min(first, second), std::max(first, second)}));
+    }
+    if (!edges.empty()) measures.verbatim = verbatim / static_cast<double>(edges.size());
 }
 
 void measure_rings(ArrangementMeasures& measures, const Exemplar& exemplar, const std::vector<ArrangedElement>& elements,
@@ -169,7 +193,7 @@ ArrangementMeasures measure_arrangement(const Exemplar& exemplar, const std::vec
     const KdTree tree(patterns.grown.positions);
     measure_distances(measures, exemplar, patterns.grown, tree);
     measure_shares(measures, exemplar, patterns.grown);
-    measure_repeats(measures, exemplar, elements, tree);
+    measure_repeats(measures, exemplar, elements, edges, tree);
     measures.density = density(patterns.grown) / density(patterns.exemplar);
 
     const int symbols = static_cast<int>(exemplar.symbols.size());

@@ -29,15 +29,18 @@ struct ArrangementMeasures {
     double right_degrees = 1;       ///< share of the elements inside with as many neighbours as their reference
     double spacing_error = 0;       ///< rms of the lengths of edges inside against the reference's ring, over l
     double largest_spacing_error = 0;
-    double ring_error = 0;         ///< rms of places of neighbours inside against the reference's ring, over l
-    double defects = 0;            ///< neighbours inside that the reference has no place for within l/2, an element
-    double density = 1;            ///< ratio
-    std::vector<double> shares;    ///< per symbol, of all elements
+    double ring_error = 0;       ///< rms of places of neighbours inside against the reference's ring, over l
+    double defects = 0;          ///< neighbours inside that the reference has no place for within l/2, an element
+    double density = 1;          ///< ratio
+    std::vector<double> shares;  ///< per symbol, of all elements
+    /// Symbols without a usable element: they cannot grow, and the shares wanted of the others are those without them.
+    std::size_t lost_symbols = 0;
     double share_error = 0;        ///< largest relative one, of symbols with a share of at least 15 %
-    double small_share_error = 0;  ///< of the other symbols
+    double small_share_error = 0;  ///< of the other symbols that can grow
     double empty_circle = 1;       ///< ratio of the radii of the largest circles inside without a centre
     double repeats = 0;            ///< share of pairs within 2.6 l that are copies of the same element
     double chance = 0;             ///< the same if every usable element of the exemplar were drawn alike
+    double verbatim = 0;           ///< share of neighbours that are neighbours in the exemplar: 1 = a copy of it
 };
 
 /// `edges` as arranged_edges() gives them. Elements of the exemplar stand in its order.

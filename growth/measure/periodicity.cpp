@@ -1,4 +1,5 @@
-// Autocorrelation of the mask of all regions less its mean, over the places that the domain shares with its moved copy.
+// Autocorrelation of the mask of all regions less its mean. Sums are divided by the whole domain, as is usual: divided by
+// what the domain shares with its moved copy, long steps would be ruled by chance.
 
 #include "growth/measure/periodicity.h"
 
@@ -11,10 +12,9 @@
 namespace rinceau {
 namespace {
 
-constexpr double finest = 640;         ///< cells along the longer side, at least ..
-constexpr double cells_a_shape = 16;   ///< .. or this many along `shortest`, whatever is more ..
-constexpr double most_cells = 1600;    ///< .. up to this
-constexpr double least_shared = 0.25;  ///< of the domain
+constexpr double finest = 640;        ///< cells along the longer side, at least ..
+constexpr double cells_a_shape = 16;  ///< .. or this many along `shortest`, whatever is more ..
+constexpr double most_cells = 1600;   ///< .. up to this
 
 /// A multiple of 32 cells along a side of that length: such lengths are transformed fast, and halves are whole.
 int cells_along(double length, double cell) { return 32 * std::max(1, static_cast<int>(std::lround(length / cell / 32))); }
@@ -57,18 +57,17 @@ RepeatingStep strongest_repeat(const std::vector<Region>& regions, const PackDom
     mean /= count;
     const double variance = mean * (1 - mean);
     if (variance == 0) return {};
-    std::vector<double> values(ground.inside.size()), where(ground.inside.begin(), ground.inside.end());
+    std::vector<double> values(ground.inside.size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = ground.inside[i] * (covered.inside[i] - mean);
 
     const int column_steps = columns / 2 - 1, row_steps = rows / 2 - 1;
     const SelfOverlap products = self_overlap(values, columns, rows, column_steps, row_steps, domain.tiled);
-    const SelfOverlap shared = self_overlap(where, columns, rows, column_steps, row_steps, domain.tiled);
     RepeatingStep strongest;
     for (int row = 0; row <= row_steps; ++row)
         for (int column = -column_steps; column <= column_steps; ++column) {
             const Point step{column * size.x, row * size.y};
-            if (abs(step) <= shortest || shared.at(column, row) < least_shared * count) continue;
-            const double value = products.at(column, row) / (shared.at(column, row) * variance);
+            if (abs(step) <= shortest) continue;
+            const double value = products.at(column, row) / (count * variance);
             if (value > strongest.value) strongest = {step, value};
         }
     return strongest;

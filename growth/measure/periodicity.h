@@ -13,8 +13,8 @@ struct RepeatingStep {
 };
 
 /// Where the autocorrelation of what the regions cover is highest, of steps that are longer than `shortest` and at most half
-/// of the domain's width and height: 1 for a pattern that comes again after that step, near 0 for one without period. Steps
-/// at which less than a quarter of the domain meets itself are left out. On a tile, steps lead round it.
+/// of the domain's width and height: for a pattern that comes again after that step the share of the domain that meets
+/// itself there, near 0 for one without period. On a tile, steps lead round it, and all of it meets itself.
 RepeatingStep strongest_repeat(const std::vector<Region>& regions, const PackDomain& domain, double shortest);
 
 }  // namespace rinceau

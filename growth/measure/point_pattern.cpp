@@ -1,19 +1,21 @@
-// The window of a pattern is a morphological closing of its points, widened by half a spacing, so that each point of a
-// regular pattern has the same area: a density that is told from it does not depend on the pattern's shape.
+// The window of a pattern is a morphological closing of its points, widened until its area is that of as many points inside:
+// densities and correlations then do not depend on the pattern's size and shape.
 
 #include "growth/measure/point_pattern.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "geometry/delaunay.h"
 #include "growth/aggregate/distance_transform.h"
 
 namespace rinceau {
 namespace {
 
 constexpr double closing = 1.5;  ///< radius in spacings
-/// In spacings: a half, and what the arcs about neighbours at the rim leave open between them.
-constexpr double rim = 0.56;
+/// How deep within the closing the middle of a triangle lies that counts, in spacings: those at the rim are slivers.
+constexpr double triangle_depth = 0.2;
 constexpr double cells_a_spacing = 16;  ///< fine enough that areas of small exemplars are right to 1 %
 constexpr std::size_t most_cells = 1'000'000;
 constexpr std::size_t tile_cells = 40'000;  ///< a tile's window only bounds lags: its cells need not be fine
@@ -40,6 +42,33 @@ Mask without_holes(Mask mask) {
     }
     for (std::size_t cell = 0; cell < open.size(); ++cell) mask.inside[cell] = open[cell] != 0 ? 0 : 1;
     return mask;
+}
+
+/// The area of a point that stands inside: twice the mean area of Delaunay triangles. 0 if there are none.
+double inner_area(const std::vector<Point>& points, const Mask& mask, const std::vector<double>& depth, double least_depth) {
+    double area = 0, count = 0;
+    for (const DelaunayTriangle& triangle : delaunay(points)) {
+        const auto corner = [&](std::size_t k) { return points[static_cast<std::size_t>(triangle.corners[k])]; };
+        const Point a = corner(0), b = corner(1), c = corner(2);
+        const std::ptrdiff_t cell = cell_at(mask, (a + b + c) / 3);
+        if (cell < 0 || depth[static_cast<std::size_t>(cell)] < least_depth) continue;
+        area += 0.5 * cross(b - a, c - a);
+        count += 1;
+    }
+    return count > 0 ? 2 * area / count : 0;
+}
+
+/// Where the window begins, so that each point has the area of one inside; half a spacing about the closing if none is.
+/// `depth` is of the points widened by `reach`.
+double rim_depth(const std::vector<Point>& points, const Mask& mask, std::vector<double> depth, double reach,
+                 double spacing) {
+    const double each = inner_area(points, mask, depth, reach + triangle_depth * spacing);
+    const double cells = each * static_cast<double>(points.size()) / (mask.cell * mask.cell);
+    if (cells == 0) return reach - 0.5 * spacing;
+    if (cells >= static_cast<double>(depth.size())) return 0;
+    const auto last = depth.begin() + static_cast<std::ptrdiff_t>(cells);
+    std::nth_element(depth.begin(), last, depth.end(), std::greater<>());
+    return *last;
 }
 
 PointPattern part(const PointPattern& pattern, int axis, double cut, bool low) {
@@ -71,8 +100,7 @@ Mask window_about(const std::vector<Point>& points, double spacing) {
         mask.inside[cell] = static_cast<double>(away[cell]) <= reach ? 1 : 0;
     mask = without_holes(std::move(mask));
     const std::vector<double> depth = depths(mask);
-    // The boundary lies half a cell before the first cell outside.
-    const double drop = reach - rim * spacing + 0.5 * mask.cell;
+    const double drop = rim_depth(points, mask, depth, reach, spacing);
     for (std::size_t cell = 0; cell < depth.size(); ++cell) mask.inside[cell] = depth[cell] > drop ? 1 : 0;
     return mask;
 }

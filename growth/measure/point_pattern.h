@@ -16,8 +16,8 @@ struct PointPattern {
     std::optional<Box> tile;  ///< the pattern repeats with its width and height, and positions lie in it
 };
 
-/// What the points cover: all that lies within half a spacing of the area that circles of 1.5 spacings cannot enter
-/// from outside without touching a point; what is enclosed on all sides belongs to it. At least one point.
+/// What the points cover: the area that circles of 1.5 spacings cannot enter from outside without touching a point, with all
+/// that it encloses, widened evenly until each point has as much of it as one that stands inside. At least one point.
 Mask window_about(const std::vector<Point>& points, double spacing);
 
 /// The window that the points cover.

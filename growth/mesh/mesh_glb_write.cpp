@@ -29,13 +29,13 @@ struct VertexList {
 
 /// Corners that share position and normal share a vertex.
 VertexList vertices_of(const TriangleMesh& mesh) {
-    const std::vector<std::array<Point3, 3>> normals = corner_normals(mesh, crease);
+    const std::vector<std::array<SpacePoint, 3>> normals = corner_normals(mesh, crease);
     VertexList list;
     std::map<std::pair<int, std::array<float, 3>>, std::uint32_t> known;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const int v = mesh.triangles[t][k];
-            const Point3 p = mesh.positions[static_cast<std::size_t>(v)], n = normals[t][k];
+            const SpacePoint p = mesh.positions[static_cast<std::size_t>(v)], n = normals[t][k];
             if (abs(n) == 0) break;  // without area: nothing to be seen, and no normal
             const std::array<float, 3> normal{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
             const auto [place, is_new] = known.try_emplace({v, normal}, static_cast<std::uint32_t>(list.vertices.size()));
@@ -77,10 +77,10 @@ class Glb {
     void add_node(int mesh, const MeshPose& pose) {
         tinygltf::Node node;
         node.mesh = mesh;
-        const auto list = [](Point3 p) { return std::vector<double>{p.x, p.y, p.z}; };
+        const auto list = [](SpacePoint p) { return std::vector<double>{p.x, p.y, p.z}; };
         node.translation = list(pose.translation);
         node.rotation.assign(pose.rotation.begin(), pose.rotation.end());
-        if (pose.scale != Point3{1, 1, 1}) node.scale = list(pose.scale);
+        if (pose.scale != SpacePoint{1, 1, 1}) node.scale = list(pose.scale);
         const int index = static_cast<int>(model_.nodes.size());
         (root_ < 0 ? model_.scenes[0].nodes : model_.nodes[static_cast<std::size_t>(root_)].children).push_back(index);
         model_.nodes.push_back(node);

@@ -25,8 +25,8 @@ void write_obj(const MeshAssembly& assembly, const TextSink& sink) {
         const auto which = static_cast<std::size_t>(instance.mesh);
         const NamedMesh& named = assembly.meshes[which];
         pieces.text() += "g " + named.name + "_" + std::to_string(++copies[which]) + "\n";
-        for (const Point3 p : named.mesh.positions) {
-            const Point3 q = apply(instance.pose, p);
+        for (const SpacePoint p : named.mesh.positions) {
+            const SpacePoint q = apply(instance.pose, p);
             pieces.text() += 'v';
             for (const double coordinate : {q.x, q.y, q.z}) append(pieces.text(), coordinate);
             pieces.text() += '\n';

@@ -6,8 +6,8 @@
 
 namespace rinceau {
 
-/// Every instance with triangles of its own, in a group "name_number" counted from 1 for each mesh; numbers read back as the
-/// same. OBJ has no instances: a file for programs that do not read glTF. Throws as the sink.
+/// Every instance with triangles of its own, in a group "name_number" counted from 1 for each mesh; numbers in shortest
+/// round-trip form. OBJ has no instances: a file for programs that do not read glTF. Throws as the sink.
 void write_obj(const MeshAssembly& assembly, const TextSink& sink);
 
 }  // namespace rinceau

@@ -71,11 +71,11 @@ std::vector<Paths> seen_from_above(const TriangleMesh& mesh, UpAxis up, const Gr
 
 }  // namespace
 
-Point ground_point(Point3 p, UpAxis up) { return up == UpAxis::y ? Point{p.x, -p.z} : Point{p.x, p.y}; }
+Point ground_point(SpacePoint p, UpAxis up) { return up == UpAxis::y ? Point{p.x, -p.z} : Point{p.x, p.y}; }
 
 Region silhouette(const TriangleMesh& mesh, UpAxis up, const std::string& label) {
     Box box;
-    for (const Point3 p : mesh.positions) box = including(box, ground_point(p, up));
+    for (const SpacePoint p : mesh.positions) box = including(box, ground_point(p, up));
     if (!(width(box) > 0 && height(box) > 0)) throw InputError({label}, "seen from above, the mesh has no area");
     const GroundGrid grid{center(box), grid_extent / std::max(width(box), height(box))};
     Paths outline = cascaded_union(seen_from_above(mesh, up, grid));
@@ -95,8 +95,8 @@ MeshPose ground_pose(const Similarity& pose, UpAxis up) {
     const double scale = scale_of(pose), angle = arg(pose.linear);
     const Point at = pose.translation;
     const bool y_up = up == UpAxis::y;
-    return {.translation = y_up ? Point3{at.x, 0, -at.y} : Point3{at.x, at.y, 0},
-            .rotation = rotation_about(y_up ? Point3{0, 1, 0} : Point3{0, 0, 1}, angle),
+    return {.translation = y_up ? SpacePoint{at.x, 0, -at.y} : SpacePoint{at.x, at.y, 0},
+            .rotation = rotation_about(y_up ? SpacePoint{0, 1, 0} : SpacePoint{0, 0, 1}, angle),
             .scale = {scale, scale, scale}};
 }
 

@@ -9,7 +9,7 @@
 namespace rinceau {
 
 /// A position seen from above: x, and the axis that lies to the back. With y up (x, -z), with z up (x, y).
-Point ground_point(Point3 p, UpAxis up);
+Point ground_point(SpacePoint p, UpAxis up);
 
 /// The union of all triangles as they are seen from above. Throws InputError in the name of `label` if that has no area.
 Region silhouette(const TriangleMesh& mesh, UpAxis up, const std::string& label);

@@ -7,7 +7,7 @@ namespace rinceau {
 namespace {
 
 /// Twice the area long.
-Point3 area_normal(const TriangleMesh& mesh, const std::array<int, 3>& triangle) {
+SpacePoint area_normal(const TriangleMesh& mesh, const std::array<int, 3>& triangle) {
     const auto corner = [&](int k) { return mesh.positions[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])]; };
     return cross(corner(1) - corner(0), corner(2) - corner(0));
 }
@@ -32,39 +32,39 @@ TrianglesAbout triangles_about(const TriangleMesh& mesh) {
 
 }  // namespace
 
-double abs(Point3 a) { return std::sqrt(dot(a, a)); }
+double abs(SpacePoint a) { return std::sqrt(dot(a, a)); }
 
-Point3 unit(Point3 a) {
+SpacePoint unit(SpacePoint a) {
     const double length = abs(a);
     return length > 0 ? (1 / length) * a : a;
 }
 
-std::array<Point3, 2> bounds(const TriangleMesh& mesh) {
+std::array<SpacePoint, 2> bounds(const TriangleMesh& mesh) {
     if (mesh.positions.empty()) return {};
-    Point3 low = mesh.positions.front(), high = low;
-    for (const Point3 p : mesh.positions) {
+    SpacePoint low = mesh.positions.front(), high = low;
+    for (const SpacePoint p : mesh.positions) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
     return {low, high};
 }
 
-std::vector<Point3> triangle_normals(const TriangleMesh& mesh) {
-    std::vector<Point3> normals;
+std::vector<SpacePoint> triangle_normals(const TriangleMesh& mesh) {
+    std::vector<SpacePoint> normals;
     normals.reserve(mesh.triangles.size());
     for (const auto& triangle : mesh.triangles) normals.push_back(unit(area_normal(mesh, triangle)));
     return normals;
 }
 
-std::vector<std::array<Point3, 3>> corner_normals(const TriangleMesh& mesh, double crease) {
-    const std::vector<Point3> flat = triangle_normals(mesh);
+std::vector<std::array<SpacePoint, 3>> corner_normals(const TriangleMesh& mesh, double crease) {
+    const std::vector<SpacePoint> flat = triangle_normals(mesh);
     const TrianglesAbout about = triangles_about(mesh);
     const double least_cosine = std::cos(crease);
-    std::vector<std::array<Point3, 3>> normals(mesh.triangles.size());
+    std::vector<std::array<SpacePoint, 3>> normals(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const auto v = static_cast<std::size_t>(mesh.triangles[t][k]);
-            Point3 sum;
+            SpacePoint sum;
             for (std::size_t i = about.first[v]; i < about.first[v + 1]; ++i)
                 if (dot(flat[about.list[i]], flat[t]) >= least_cosine)
                     sum = sum + area_normal(mesh, mesh.triangles[about.list[i]]);
@@ -73,14 +73,14 @@ std::vector<std::array<Point3, 3>> corner_normals(const TriangleMesh& mesh, doub
     return normals;
 }
 
-Point3 apply(const MeshPose& pose, Point3 p) {
-    const Point3 scaled{pose.scale.x * p.x, pose.scale.y * p.y, pose.scale.z * p.z};
-    const Point3 axis{pose.rotation[0], pose.rotation[1], pose.rotation[2]};
-    const Point3 twice = 2 * cross(axis, scaled);
+SpacePoint apply(const MeshPose& pose, SpacePoint p) {
+    const SpacePoint scaled{pose.scale.x * p.x, pose.scale.y * p.y, pose.scale.z * p.z};
+    const SpacePoint axis{pose.rotation[0], pose.rotation[1], pose.rotation[2]};
+    const SpacePoint twice = 2 * cross(axis, scaled);
     return pose.translation + scaled + pose.rotation[3] * twice + cross(axis, twice);
 }
 
-std::array<double, 4> rotation_about(Point3 axis, double angle) {
+std::array<double, 4> rotation_about(SpacePoint axis, double angle) {
     const double s = std::sin(angle / 2);
     return {s * axis.x, s * axis.y, s * axis.z, std::cos(angle / 2)};
 }

@@ -10,49 +10,49 @@
 namespace rinceau {
 
 /// A point or a vector in space.
-struct Point3 {
+struct SpacePoint {
     double x = 0, y = 0, z = 0;
-    friend constexpr bool operator==(const Point3&, const Point3&) = default;
+    friend constexpr bool operator==(const SpacePoint&, const SpacePoint&) = default;
 };
 
-constexpr Point3 operator+(Point3 a, Point3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Point3 operator-(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Point3 operator*(double k, Point3 a) { return {k * a.x, k * a.y, k * a.z}; }
-constexpr double dot(Point3 a, Point3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Point3 cross(Point3 a, Point3 b) {
+constexpr SpacePoint operator+(SpacePoint a, SpacePoint b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr SpacePoint operator-(SpacePoint a, SpacePoint b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr SpacePoint operator*(double k, SpacePoint a) { return {k * a.x, k * a.y, k * a.z}; }
+constexpr double dot(SpacePoint a, SpacePoint b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr SpacePoint cross(SpacePoint a, SpacePoint b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-double abs(Point3 a);
+double abs(SpacePoint a);
 /// Of length 1; the zero vector stays.
-Point3 unit(Point3 a);
+SpacePoint unit(SpacePoint a);
 
 /// Corners are counter-clockwise seen from outside. Indices are those of positions.
 struct TriangleMesh {
-    std::vector<Point3> positions;
+    std::vector<SpacePoint> positions;
     std::vector<std::array<int, 3>> triangles;
 };
 
 /// Low and high corner of the box of all positions; of a mesh without positions both are 0.
-std::array<Point3, 2> bounds(const TriangleMesh& mesh);
+std::array<SpacePoint, 2> bounds(const TriangleMesh& mesh);
 
 /// Of length 1; 0 where a triangle has no area.
-std::vector<Point3> triangle_normals(const TriangleMesh& mesh);
+std::vector<SpacePoint> triangle_normals(const TriangleMesh& mesh);
 
 /// For each corner of each triangle the mean normal of the triangles about its vertex that lie within `crease` (radians) of
 /// this one's plane, weighted by area: edges that are sharper stay sharp. Of length 1, or 0 where there is no area.
-std::vector<std::array<Point3, 3>> corner_normals(const TriangleMesh& mesh, double crease);
+std::vector<std::array<SpacePoint, 3>> corner_normals(const TriangleMesh& mesh, double crease);
 
 /// Scale first, then turn, then move, as a node of glTF.
 struct MeshPose {
-    Point3 translation;
+    SpacePoint translation;
     std::array<double, 4> rotation{0, 0, 0, 1};  ///< unit quaternion x, y, z, w
-    Point3 scale{1, 1, 1};
+    SpacePoint scale{1, 1, 1};
 };
 
-Point3 apply(const MeshPose& pose, Point3 p);
+SpacePoint apply(const MeshPose& pose, SpacePoint p);
 
 /// Turning by `angle` (radians, counter-clockwise seen from the tip) about a unit axis, as a quaternion.
-std::array<double, 4> rotation_about(Point3 axis, double angle);
+std::array<double, 4> rotation_about(SpacePoint axis, double angle);
 
 struct NamedMesh {
     std::string name;

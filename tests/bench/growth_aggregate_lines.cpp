@@ -68,8 +68,14 @@ Filled filled_while(const ShapeCase& one, const Run& run, const GoOn& go_on) {
     return result;
 }
 
+/// The least time of three runs, which are the same.
 Filled filled(const ShapeCase& one, const Run& run) {
-    return filled_while(one, run, [](double, double) { return true; });
+    Filled result;
+    for (int again = 0; again < 3; ++again) {
+        Filled next = filled_while(one, run, [](double, double) { return true; });
+        if (again == 0 || next.seconds < result.seconds) result = std::move(next);
+    }
+    return result;
 }
 
 void result_lines(GrowthLines& lines, const ShapeCase& one, const Filled& result, bool tiled) {

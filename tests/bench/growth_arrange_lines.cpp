@@ -63,6 +63,8 @@ void irregular_lines(GrowthLines& lines, const ArrangementMeasures& measures) {
     lines.at_most("error of shares of 15 % and more", measures.share_error, 0.05);
     lines.at_most("error of smaller shares", measures.small_share_error, 0.10);
     lines.at_most("same element near, times chance", measures.repeats / measures.chance, 2);
+    lines.say("neighbours as in the exemplar, share", measures.verbatim);
+    lines.say("symbols that cannot grow", static_cast<double>(measures.lost_symbols));
 }
 
 void case_lines(GrowthLines& lines, const ExemplarCase& one, std::size_t count, const GrowthPictures& pictures) {

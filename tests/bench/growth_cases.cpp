@@ -8,6 +8,7 @@
 
 #include "analyzer/analyze.h"
 #include "geometry/random.h"
+#include "growth/arrangement/tile_of_drawing.h"
 #include "growth/figures.h"
 #include "scene/svg_read.h"
 
@@ -105,9 +106,9 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-FiguredDrawing figured(const fs::path& file, const FigureOptions& options) {
+FiguredDrawing figured(const fs::path& file) {
     const SvgReadResult drawing = read_svg(text_of(file), {.file_name = file.filename().string()});
-    return figures_of(analyze(drawing.scene).grammar, options);
+    return figures_of(analyze(drawing.scene).grammar);
 }
 
 struct ShapePlan {
@@ -165,11 +166,12 @@ std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, con
         ExemplarCase& one = cases.emplace_back();
         one.name = name;
         try {
-            const FiguredDrawing drawing = figured(file, {});
+            FiguredDrawing drawing = figured(file);
             ExemplarOptions options;
             if (tiled) options.tile = drawing.grammar.canvas;
+            if (tiled) drawing = as_tile(std::move(drawing), *options.tile);
             one.exemplar = make_exemplar(drawing, options, file.filename().string());
-            if (!one.exemplar->irregular) one.demand = one.exemplar->lattice ? Demand::jittered : Demand::exact;
+            if (!one.exemplar->irregular) one.demand = Demand::jittered;
         } catch (const std::exception& error) {
             one.fault = error.what();
         }
@@ -178,8 +180,12 @@ std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, con
 }
 
 ExclusiveRegion silhouette(const std::string& file) {
-    const FiguredDrawing drawing = figured(file, {.one_figure = true});
-    const ExclusiveRegion natural = exclusive_region(drawing.figures.at(0).outline, {}, file);
+    const SvgReadResult drawing = read_svg(text_of(file), {.file_name = file});
+    constexpr double deviation = 1e-3;  // of the drawing's diagonal
+    Region outline;
+    for (const Element& element : drawing.scene.elements)
+        outline = union_of(outline, painted_region(element, deviation * diagonal(drawing.scene.viewport)));
+    const ExclusiveRegion natural = exclusive_region(outline, {}, file);
     Region scaled = natural.rings;
     for (auto& ring : scaled)
         for (Point& p : ring) p = p / natural.radius;
@@ -204,7 +210,7 @@ std::vector<ShapeCase> shape_cases(const std::string& folder, double shapes, con
         ShapeCase set{.name = plan.name, .min_scale = plan.min_scale, .share_tolerance = plan.share_tolerance};
         for (const std::string& file : plan.files)
             set.regions.push_back(silhouette((fs::path(folder) / (file + ".svg")).string()));
-        set.side = side_for(set, plan.min_scale < 1 ? 4 * shapes : shapes, plan.coverage);
+        set.side = side_for(set, shapes, plan.coverage);
         sets.push_back(std::move(set));
     }
     return sets;

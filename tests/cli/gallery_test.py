@@ -12,6 +12,7 @@ sys.path.insert(0, str(SOURCE / "scripts"))
 from run_commands import run  # noqa: E402
 
 MOST_BYTES = 130_000  # of a picture; most are below 40,000
+GROWTH = "docs/gallery_growth.md"
 OTHER_PAGES = ["docs/replace.md"]
 
 
@@ -29,7 +30,7 @@ def expect_made(folder, shown):
     """Every picture is there, small, and what the commands make."""
     for picture in shown:
         assert picture.exists(), "%s is shown and missing" % picture
-        if picture.parent == SOURCE / "samples":
+        if picture.parent in (SOURCE / "samples", SOURCE / "samples/growth"):
             continue  # drawn from its grammar: samples_test
         assert picture.stat().st_size < MOST_BYTES, "%s is too large" % picture
         made = folder / picture.name
@@ -73,6 +74,11 @@ def main(program):
         expect_rules(folder, page)
         expect_committed(folder)
         expect_every_sample(page)
+    with tempfile.TemporaryDirectory() as folder:
+        lines = run(program, SOURCE / GROWTH, folder)
+        shown = pictures((SOURCE / GROWTH).read_text(encoding="utf-8"))
+        print("%s: %d commands, %d pictures" % (GROWTH, len(lines), len(shown)))
+        expect_made(pathlib.Path(folder), shown)
     for other in OTHER_PAGES:
         with tempfile.TemporaryDirectory() as folder:
             print("%s: %d commands" % (other, len(run(program, SOURCE / other, folder))))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says."""
+"""report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says, those of
+packing as docs/pack_report.schema.json says."""
 
 import json
 import pathlib
@@ -31,10 +32,29 @@ def main(program, source):
                 faults.append("%s: the import takes longer than the whole" % drawing.name)
             if sum(t["instances"] for t in report["terminals"]) != report["elements"]:
                 faults.append("%s: the terminals' instances are not the elements" % drawing.name)
-    # The schema must be able to refuse.
-    faults += ["the schema lets '%s' be left out" % key for key in schema["required"]
-               if validator.is_valid({k: v for k, v in report.items() if k != key})]
+    faults += unable_to_refuse(schema, validator, report)
+    faults += pack_faults(program, source)
     sys.exit("\n".join(faults) or 0)
+
+
+def unable_to_refuse(schema, validator, report):
+    return ["the schema lets '%s' be left out" % key for key in schema["required"]
+            if validator.is_valid({k: v for k, v in report.items() if k != key})]
+
+
+def pack_faults(program, source):
+    schema = json.loads((source / "docs" / "pack_report.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    with tempfile.TemporaryDirectory() as folder:
+        name = pathlib.Path(folder) / "report.json"
+        subprocess.run([program, "pack", str(source / "samples/growth/trees.svg"), "--size", "200,200", "--scale", "0.3",
+                        "--report", str(name)], check=True, capture_output=True)
+        report = json.loads(name.read_text(encoding="utf-8"))
+    faults = ["pack: %s" % error.message for error in validator.iter_errors(report)]
+    if sum(shape["placed"] for shape in report["shapes"]) != report["placed"]:
+        faults.append("pack: the shapes' numbers are not what is placed")
+    return faults + unable_to_refuse(schema, validator, report)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,175 @@
+// rinceau arrange: more of the same arrangement.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "cli/arrange_ground.h"
+#include "cli/arrange_report.h"
+#include "cli/arrange_settings.h"
+#include "cli/connectivity_picture.h"
+#include "cli/exit_status.h"
+#include "cli/growth_input.h"
+#include "cli/growth_output.h"
+#include "cli/messages.h"
+#include "cli/progress_bar.h"
+#include "cli/verbs.h"
+#include "files/files.h"
+#include "growth/arrangement/grow_ground.h"
+#include "growth/arrangement/place_figures.h"
+#include "growth/arrangement/spray.h"
+
+namespace rinceau {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// By symbol. Throws CLI::ValidationError for a symbol that the exemplar does not have.
+std::vector<int> priorities_of(const ArrangeSettings& settings, const Exemplar& exemplar) {
+    if (settings.priorities.empty()) return {};
+    std::vector<int> priorities(exemplar.symbols.size(), 0);
+    for (const auto& [name, value] : settings.priorities) {
+        const auto found = std::ranges::find(exemplar.symbols, name, &ExemplarSymbol::name);
+        if (found == exemplar.symbols.end()) {
+            std::string known;
+            for (const ExemplarSymbol& symbol : exemplar.symbols) known += (known.empty() ? "" : ", ") + symbol.name;
+            throw CLI::ValidationError("--priority",
+                                       "expected a symbol of the exemplar (" + known + "), found '" + name + "'");
+        }
+        if (value != std::round(value))
+            throw CLI::ValidationError("--priority", "expected a whole number after '" + name + "='");
+        priorities[static_cast<std::size_t>(found - exemplar.symbols.begin())] = static_cast<int>(value);
+    }
+    return priorities;
+}
+
+struct Grown {
+    ElementArrangement arrangement;
+    bool complete = true;
+    double seconds = 0;
+};
+
+Grown grow_all(const ArrangeSettings& settings, const Exemplar& exemplar, const ArrangeGround& ground) {
+    const auto start = Clock::now();
+    ArrangeOptions options = settings.growth;
+    options.priorities = priorities_of(settings, exemplar);
+    bool late = false;
+    GrowOrder order;
+    if (settings.count) order.count = *settings.count;
+    if (settings.seconds > 0)
+        order.stop = [&late, start, limit = settings.seconds] { return late = late || seconds_since(start) > limit; };
+    ProgressBar bar;
+    Grown grown{empty_arrangement(exemplar, options)};
+    grown.arrangement =
+        ground.stops.empty()
+            ? grown_over(std::move(grown.arrangement), exemplar, ground.around, ground.ground, order, bar.callback())
+            : sprayed(std::move(grown.arrangement), exemplar, ground.around, ground.stops, order, bar.callback());
+    grown.arrangement = finished(std::move(grown.arrangement), exemplar, ground.around, order, bar.callback());
+    grown.complete = !late;
+    grown.seconds = seconds_since(start);
+    return grown;
+}
+
+void expect_any(const Grown& grown, const ArrangeGround& ground, const std::string& exemplar_label) {
+    if (grown.arrangement.elements > 0 || !grown.complete) return;
+    const std::string cure = "; make it larger, or the elements smaller";
+    if (!ground.confined_by.empty())
+        throw InputError({ground.confined_by}, "no element of " + exemplar_label + " fits into what it leaves free" + cure);
+    throw InputError({exemplar_label}, "no element could be placed");
+}
+
+Box box_of(const std::vector<Region>& outlines) {
+    Box box;
+    for (const Region& outline : outlines) box = including(box, bounds(outline));
+    return box;
+}
+
+void write_connectivity(const ArrangeSettings& settings, const ElementArrangement& arrangement,
+                        const std::vector<Region>& outlines, const Box& canvas) {
+    if (settings.connectivity.empty()) return;
+    std::vector<ConnectivityNode> nodes;
+    for (const ArrangedElement& element : arranged_elements(arrangement)) {
+        const std::size_t index = nodes.size();
+        nodes.push_back({.position = element.position, .outline = outlines[index]});
+    }
+    write_output(settings.connectivity, connectivity_svg(nodes, arranged_edges(arrangement), canvas));
+}
+
+/// What comes into the canvas.
+std::vector<PlacedFigure> visible(const std::vector<PlacedFigure>& placed, const std::vector<Region>& outlines,
+                                  const Box& canvas) {
+    std::vector<PlacedFigure> kept;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (overlap(bounds(outlines[i]), canvas)) kept.push_back(placed[i]);
+    }
+    return kept;
+}
+
+std::vector<Region> outlines_of(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed) {
+    std::vector<Region> outlines;
+    for (const PlacedFigure& one : placed) outlines.push_back(placed_outline(drawing, one));
+    return outlines;
+}
+
+void say_summary(const Grown& grown, const ArrangeSettings& settings) {
+    const std::size_t elements = grown.arrangement.elements;
+    if (!grown.complete)
+        say("rinceau: --seconds reached after " + std::to_string(elements) + " elements, which are written");
+    else if (settings.count && elements < *settings.count)
+        say("warning: no room for more than " + std::to_string(elements) + " elements");
+}
+
+int run_arrange(const ArrangeSettings& settings) {
+    expect_consistent(settings);
+    const auto start = Clock::now();
+    const GrowthInput input = read_growth_input(settings.input, {.raised = settings.raised}, settings.growth.threads);
+    const Box exemplar_canvas = input.drawing.grammar.canvas;
+    ExemplarOptions exemplar_options{.flips = settings.flips};
+    if (settings.tile) exemplar_options.tile = exemplar_canvas;
+    const Exemplar exemplar = make_exemplar(input.drawing, exemplar_options, input.label);
+    if (!settings.numbering.empty()) write_output(settings.numbering, numbering_svg(exemplar, exemplar_canvas));
+    const ArrangeGround ground = read_arrange_ground(settings, exemplar, exemplar_canvas);
+    ArrangeSeconds seconds{.input = seconds_since(start)};
+
+    const Grown grown = grow_all(settings, exemplar, ground);
+    expect_any(grown, ground, input.label);
+    seconds.growth = grown.seconds;
+
+    const FiguredDrawing& drawing = input.drawing;
+    JitterOptions jitter = settings.jitter;
+    jitter.seed = settings.growth.seed;
+    const std::vector<PlacedFigure> placed = jittered(drawing, placed_figures(drawing, arranged_elements(grown.arrangement)),
+                                                      jitter, ground.around.boundary.get());
+    const std::vector<Region> outlines = outlines_of(drawing, placed);
+    constexpr double margin = 0.25;  // of a mean edge: half of the usual distance to a neighbour's outline
+    const Box canvas = ground.canvas.value_or(rinceau::grown(box_of(outlines), margin * exemplar.mean_edge));
+    const std::vector<PlacedFigure> drawn = visible(placed, outlines, canvas);
+
+    write_growth(drawing, drawn, canvas, settings.output);
+    write_connectivity(settings, grown.arrangement, outlines, canvas);
+    seconds.total = seconds_since(start);
+    if (!settings.report.empty())
+        write_output(settings.report,
+                     arrange_report_json({.input = settings.input,
+                                          .measures = measure_arrangement(exemplar, grown.arrangement, ground.around),
+                                          .exemplar = &exemplar,
+                                          .drawn = drawn.size(),
+                                          .warnings = input.warnings,
+                                          .seconds = seconds,
+                                          .complete = grown.complete}));
+    say_summary(grown, settings);
+    return grown.complete ? exit_status::done : exit_status::limit_reached;
+}
+
+}  // namespace
+
+void add_arrange(CLI::App& program, Job& job) {
+    const auto [verb, settings] =
+        add_verb<ArrangeSettings>(program, job, "arrange", "Grow more of the same arrangement from an example",
+                                  "rinceau arrange samples/bricks.svg -o wall.svg --count 300", run_arrange);
+    add_arrange_options(*verb, *settings);
+}
+
+}  // namespace rinceau
