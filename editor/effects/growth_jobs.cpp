@@ -69,7 +69,7 @@ FillFiles read_files(const AggregateSettings& settings) {
 }
 
 bool same_surroundings(const ArrangeOrder& a, const ArrangeOrder& b) {
-    return a.source == b.source && a.guides == b.guides && a.canvas == b.canvas && a.settings.mode == b.settings.mode &&
+    return a.source == b.source && a.guides == b.guides && a.canvas == b.canvas && a.settings.turn == b.settings.turn &&
            a.settings.fill == b.settings.fill && a.settings.directed == b.settings.directed;
 }
 

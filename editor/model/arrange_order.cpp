@@ -20,8 +20,13 @@ constexpr double elements_a_look = 1000;
 /// What may grow when nothing else bounds it: more than is seen apart.
 constexpr std::size_t most_elements = 100'000;
 
+RotationMode mode_of(ElementTurn turn) {
+    if (turn == ElementTurn::to_fit) return RotationMode::rotate;
+    return turn == ElementTurn::along_flow ? RotationMode::flow : RotationMode::fixed;
+}
+
 ArrangeOptions options_of(const ArrangementSettings& settings, const Exemplar& exemplar) {
-    ArrangeOptions options{.mode = settings.mode, .two_rings = settings.two_rings, .seed = settings.seed};
+    ArrangeOptions options{.mode = mode_of(settings.turn), .two_rings = settings.two_rings, .seed = settings.seed};
     for (const ExemplarSymbol& symbol : exemplar.symbols) {
         const auto set = settings.priorities.find(symbol.name);
         options.priorities.push_back(set != settings.priorities.end() ? set->second : 0);
@@ -134,7 +139,7 @@ class Steps {
 ArrangeSurroundings surroundings_of(const ArrangeOrder& order) {
     ArrangeSurroundings around;
     const double edge = order.source->exemplar->mean_edge;
-    if (order.settings.mode == RotationMode::flow) {
+    if (order.settings.turn == ElementTurn::along_flow) {
         if (order.guides->flow.empty())
             throw InputError({}, "No flow is drawn yet: take the tool Flow and draw the lines that elements shall follow");
         around.flow = std::make_shared<const FlowField>(make_flow_field(

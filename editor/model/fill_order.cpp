@@ -59,6 +59,11 @@ std::vector<ExclusiveRegion> regions_of(const FillOrder& order, const ChosenShap
     return regions;
 }
 
+PackMethod method_of(FillMethod method) {
+    if (method == FillMethod::gaps) return PackMethod::gaps;
+    return method == FillMethod::darts ? PackMethod::naive : PackMethod::settle;
+}
+
 PackDomain domain_of(const FillOrder& order, const FillFiles& files) {
     PackDomain domain{.box = order.canvas, .region = files.region, .tiled = order.settings.tiled && !files.region};
     if (files.region) domain.box = bounds(*files.region);
@@ -67,8 +72,8 @@ PackDomain domain_of(const FillOrder& order, const FillFiles& files) {
 
 AggregateOptions options_of(const AggregateSettings& settings, const ChosenShapes& chosen, const FillFiles& files,
                             const Box& box) {
-    AggregateOptions options{.method = settings.method,
-                             .quality = settings.quality,
+    AggregateOptions options{.method = method_of(settings.method),
+                             .quality = settings.quality == FillQuality::best ? PackQuality::best : PackQuality::fast,
                              .min_scale = settings.min_scale,
                              .max_scale = settings.max_scale,
                              .angles = angles_of(settings),

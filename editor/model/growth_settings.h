@@ -1,12 +1,9 @@
 #pragma once
-// What is set in the panel of growth.
+// What is set in the panel of growth. In words of its own: what the panels include does not change with the library.
 
 #include <cstdint>
 #include <map>
 #include <string>
-
-#include "growth/aggregate/pack_method.h"
-#include "growth/arrangement/rotation_mode.h"
 
 namespace rinceau {
 
@@ -24,8 +21,11 @@ struct JitterSettings {
     friend bool operator==(const JitterSettings&, const JitterSettings&) = default;
 };
 
+/// Elements stand as in the drawing; are turned so that their neighbours fit; follow flow strokes (RotationMode).
+enum class ElementTurn : unsigned char { as_drawn, to_fit, along_flow };
+
 struct ArrangementSettings {
-    RotationMode mode = RotationMode::fixed;
+    ElementTurn turn = ElementTurn::as_drawn;
     bool directed = true;                   ///< flow strokes say forward and back
     bool two_rings = false;                 ///< ArrangeOptions::two_rings
     std::map<std::string, int> priorities;  ///< by ExemplarSymbol::name; the others have 0
@@ -44,6 +44,10 @@ struct ShapeChoice {
     double share = 1;  ///< beside those of the others
 };
 
+/// As PackMethod and PackQuality.
+enum class FillMethod : unsigned char { settle, gaps, darts };
+enum class FillQuality : unsigned char { fast, best };
+
 enum class PackTurn : unsigned char { any, none, quarters, within };
 
 struct AggregateSettings {
@@ -54,8 +58,8 @@ struct AggregateSettings {
     double min_scale = 1, max_scale = 1;
     double margin = 0;  ///< scene length that shapes keep from each other, half of it each
     bool keep_holes = false;
-    PackMethod method = PackMethod::settle;
-    PackQuality quality = PackQuality::fast;
+    FillMethod method = FillMethod::settle;
+    FillQuality quality = FillQuality::fast;
     PackTurn turn = PackTurn::any;
     double spread = 15;   ///< PackTurn::within: degrees to either side
     std::string density;  ///< file of a grey picture; empty = everywhere alike

@@ -68,8 +68,8 @@ void keep_stroke(Update& update, GrowthBrush brush, double reach) {
         guides.boundary.push_back(closed_if_near(std::move(stroke), reach));
     } else {
         guides.flow.push_back(std::move(stroke));
-        if (growth.settings.arrangement.mode != RotationMode::flow) {
-            growth.settings.arrangement.mode = RotationMode::flow;
+        if (growth.settings.arrangement.turn != ElementTurn::along_flow) {
+            growth.settings.arrangement.turn = ElementTurn::along_flow;
             tell(update, MessageKind::note,
                  "Elements follow the flow from now on: what grows anew is turned along the strokes");
         }

@@ -124,16 +124,14 @@ void which_size(GrowthForm& form) {
 
 void how(GrowthForm& form) {
     AggregateSettings& settings = form.settings.aggregate;
-    // in the order in which a user wants them, not in that of PackMethod
-    constexpr PackMethod methods[] = {PackMethod::settle, PackMethod::gaps, PackMethod::naive};
-    int method = static_cast<int>(std::ranges::find(methods, settings.method) - methods);
+    int method = static_cast<int>(settings.method);
     form.choice("method", method, {"settle", "gaps", "darts"},
                 "Settle: slid and turned into gaps. Gaps: thrown where there is most room. Darts: thrown anywhere.");
-    settings.method = methods[method];
+    settings.method = static_cast<FillMethod>(method);
     int quality = static_cast<int>(settings.quality);
     form.choice("quality", quality, {"fast", "best"},
                 "Best: shapes grow as far as they can, and all is shaken and filled again.");
-    settings.quality = static_cast<PackQuality>(quality);
+    settings.quality = static_cast<FillQuality>(quality);
     form.seed(settings.seed);
 }
 

@@ -16,10 +16,10 @@ constexpr double largest_canvas = 20;
 
 void how_much(GrowthForm& form) {
     ArrangementSettings& settings = form.settings.arrangement;
-    int mode = static_cast<int>(settings.mode);
-    form.choice("turn", mode, {"as they stand", "to fit", "along the flow"},
+    int turn = static_cast<int>(settings.turn);
+    form.choice("turn", turn, {"as they stand", "to fit", "along the flow"},
                 "How elements are turned: as in the drawing; so that their neighbours fit best; along flow strokes.");
-    settings.mode = static_cast<RotationMode>(mode);
+    settings.turn = static_cast<ElementTurn>(turn);
     int fill = settings.fill ? 1 : 0;
     form.choice("until", fill, {"a number stands", "the canvas is full"},
                 "When growth ends. Within a full canvas all elements stand whole.");

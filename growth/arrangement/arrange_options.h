@@ -10,10 +10,12 @@
 
 #include "geometry/box.h"
 #include "growth/arrangement/boundary.h"
-#include "growth/arrangement/rotation_mode.h"
 #include "growth/flow_field.h"
 
 namespace rinceau {
+
+/// Section 5.3: elements keep their angle; rings are turned to fit best (eq. 4); the exemplar's x axis follows the flow.
+enum class RotationMode : std::uint8_t { fixed, rotate, flow };
 
 /// How neighbours of a seed and of a reference are matched: nearest places, some may stay unmatched; or the cyclic orders of
 /// the paper (section 5.2), none skipped.
@@ -44,8 +46,8 @@ struct ArrangeOptions {
 
 /// What is around: shared and never changed.
 struct ArrangeSurroundings {
-    std::shared_ptr<const FlowField> flow;     ///< needed in mode flow
-    std::shared_ptr<const Boundary> boundary;  ///< null = none
+    std::shared_ptr<const FlowField> flow;      ///< needed in mode flow
+    std::shared_ptr<const Boundary> boundary;   ///< null = none
 };
 
 /// A round brush (section 5.1, spray tool).
@@ -57,7 +59,7 @@ struct Brush {
 /// How far to grow now.
 struct GrowOrder {
     std::size_t count = std::numeric_limits<std::size_t>::max();  ///< elements in all, those that stand already among them
-    std::optional<Brush> brush;                                   ///< only seeds below it, nearest to its centre first
+    std::optional<Brush> brush;  ///< only seeds below it, nearest to its centre first
     /// Asked between steps; true ends the growth, and what stands by then is a valid arrangement.
     std::function<bool()> stop;
 };
@@ -66,7 +68,7 @@ struct GrowOrder {
 struct ArrangedElement {
     int reference = 0;  ///< element of the exemplar
     Point position;
-    double angle = 0;  ///< that the reference's outline is turned by
+    double angle = 0;   ///< that the reference's outline is turned by
 };
 
 }  // namespace rinceau

@@ -203,12 +203,12 @@ TEST_CASE("strokes are drawn by dragging, closed where they end near their begin
     desk.act(DropStroke{});
     desk.act(ReleaseBrush{1});
     CHECK(desk.state.growth.guides->flow.empty());
-    CHECK(desk.state.growth.settings.arrangement.mode == RotationMode::fixed);
+    CHECK(desk.state.growth.settings.arrangement.turn == ElementTurn::as_drawn);
     desk.act(PressBrush{{0, 0}, 1});
     desk.act(DragBrush{{50, 0}, 1});
     desk.act(ReleaseBrush{1});
     CHECK(desk.state.growth.guides->flow == std::vector<DrawnStroke>{{{0, 0}, {50, 0}}});
-    CHECK(desk.state.growth.settings.arrangement.mode == RotationMode::flow);
+    CHECK(desk.state.growth.settings.arrangement.turn == ElementTurn::along_flow);
     desk.command("growth.erase_boundary");
     CHECK(desk.state.growth.guides->boundary.empty());
     CHECK(desk.state.growth.guides->flow.size() == 1);
