@@ -64,7 +64,8 @@ bool shows_edges(const EditorState& state) {
 std::vector<std::array<Point, 2>> edges_of(const Exemplar& exemplar) {
     std::vector<std::array<Point, 2>> edges;
     const auto position = [&](int element) { return exemplar.elements[static_cast<std::size_t>(element)].position; };
-    for (const auto& [a, b] : exemplar.edges) edges.push_back({position(a), position(b)});
+    for (const auto& [a, b] : exemplar.edges)  // the lower one comes first: copies in other tiles come last
+        if (static_cast<std::size_t>(a) < exemplar.originals) edges.push_back({position(a), position(b)});
     return edges;
 }
 

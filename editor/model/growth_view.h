@@ -41,7 +41,7 @@ Box growth_canvas(const EditorState& state);
 /// Are edges between neighbours to be drawn over the canvas: of what has grown or of the exemplar, whichever is shown?
 bool shows_edges(const EditorState& state);
 
-/// The exemplar's.
+/// The exemplar's; of a tile, those at its own elements.
 std::vector<std::array<Point, 2>> edges_of(const Exemplar& exemplar);
 
 /// The edge of the exemplar's connectivity at `at`, as numbers of elements.

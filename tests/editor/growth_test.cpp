@@ -57,6 +57,7 @@ std::shared_ptr<const GrowthSource> row_source(const SourceQuestion& question) {
     drawing.figures.push_back({"Dot", {Placement{}}, {{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}}, 3});
     Exemplar exemplar;
     exemplar.mean_edge = 10;
+    exemplar.originals = 4;
     exemplar.symbols = {{"Dot", 1, 0.01}};
     for (int i = 0; i < 4; ++i) {
         const Point at{10.0 * i, 0};
