@@ -7,7 +7,7 @@
 #include "cli/arrange_ground.h"
 #include "cli/arrange_report.h"
 #include "cli/arrange_settings.h"
-#include "cli/connectivity_picture.h"
+#include "cli/edges_picture.h"
 #include "cli/exit_status.h"
 #include "cli/growth_input.h"
 #include "cli/growth_output.h"
@@ -15,9 +15,12 @@
 #include "cli/progress_bar.h"
 #include "cli/verbs.h"
 #include "files/files.h"
+#include "growth/arrangement/connectivity_picture.h"
 #include "growth/arrangement/grow_ground.h"
+#include "growth/arrangement/paint_order.h"
 #include "growth/arrangement/place_figures.h"
 #include "growth/arrangement/spray.h"
+#include "scene/svg_write.h"
 
 namespace rinceau {
 namespace {
@@ -89,19 +92,19 @@ Box box_of(const std::vector<Region>& outlines) {
 void write_connectivity(const ArrangeSettings& settings, const ElementArrangement& arrangement,
                         const std::vector<Region>& outlines, const Box& canvas) {
     if (settings.connectivity.empty()) return;
-    std::vector<ConnectivityNode> nodes;
+    std::vector<PicturedNode> nodes;
     for (const ArrangedElement& element : arranged_elements(arrangement)) {
         const std::size_t index = nodes.size();
         nodes.push_back({.position = element.position, .outline = outlines[index]});
     }
-    write_output(settings.connectivity, connectivity_svg(nodes, arranged_edges(arrangement), canvas));
+    write_output(settings.connectivity, edges_svg(nodes, arranged_edges(arrangement), canvas));
 }
 
-/// What comes into the canvas.
+/// What comes into the canvas, in paint order.
 std::vector<PlacedFigure> visible(const std::vector<PlacedFigure>& placed, const std::vector<Region>& outlines,
-                                  const Box& canvas) {
+                                  const std::vector<std::size_t>& order, const Box& canvas) {
     std::vector<PlacedFigure> kept;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
+    for (const std::size_t i : order) {
         if (overlap(bounds(outlines[i]), canvas)) kept.push_back(placed[i]);
     }
     return kept;
@@ -129,7 +132,7 @@ int run_arrange(const ArrangeSettings& settings) {
     ExemplarOptions exemplar_options{.flips = settings.flips};
     if (settings.tile) exemplar_options.tile = exemplar_canvas;
     const Exemplar exemplar = make_exemplar(input.drawing, exemplar_options, input.label);
-    if (!settings.numbering.empty()) write_output(settings.numbering, numbering_svg(exemplar, exemplar_canvas));
+    if (!settings.numbering.empty()) write_output(settings.numbering, write_svg(connectivity_picture(exemplar)));
     const ArrangeGround ground = read_arrange_ground(settings, exemplar, exemplar_canvas);
     ArrangeSeconds seconds{.input = seconds_since(start)};
 
@@ -140,12 +143,13 @@ int run_arrange(const ArrangeSettings& settings) {
     const FiguredDrawing& drawing = input.drawing;
     JitterOptions jitter = settings.jitter;
     jitter.seed = settings.growth.seed;
-    const std::vector<PlacedFigure> placed = jittered(drawing, placed_figures(drawing, arranged_elements(grown.arrangement)),
-                                                      jitter, ground.around.boundary.get());
+    const std::vector<ArrangedElement> elements = arranged_elements(grown.arrangement);
+    const std::vector<PlacedFigure> placed =
+        jittered(drawing, placed_figures(drawing, elements), jitter, ground.around.boundary.get());
     const std::vector<Region> outlines = outlines_of(drawing, placed);
     constexpr double margin = 0.25;  // of a mean edge: half of the usual distance to a neighbour's outline
     const Box canvas = ground.canvas.value_or(rinceau::grown(box_of(outlines), margin * exemplar.mean_edge));
-    const std::vector<PlacedFigure> drawn = visible(placed, outlines, canvas);
+    const std::vector<PlacedFigure> drawn = visible(placed, outlines, paint_order(exemplar, elements), canvas);
 
     write_growth(drawing, drawn, canvas, settings.output);
     write_connectivity(settings, grown.arrangement, outlines, canvas);

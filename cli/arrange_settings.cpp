@@ -43,9 +43,9 @@ void parse_spray(const std::string& text, ArrangeSettings& settings) {
 std::vector<std::pair<int, int>> parse_flips(const std::string& text) {
     const auto element = [](std::string_view part, const std::string& whole) {
         const double number = parse_number("--flip-edges", "pairs of elements like 3-7,5-9", part);
-        if (!(number >= 1 && number <= most_elements) || number != static_cast<int>(number))
+        if (!(number >= 0 && number <= most_elements) || number != static_cast<int>(number))
             throw CLI::ValidationError("--flip-edges", "expected pairs of elements like 3-7,5-9, found '" + whole + "'");
-        return static_cast<int>(number) - 1;
+        return static_cast<int>(number);
     };
     std::vector<std::pair<int, int>> flips;
     for (const std::string& part : parse_list("--flip-edges", text)) {

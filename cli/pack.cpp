@@ -45,7 +45,8 @@ std::vector<double> shares_of(const PackShapes& shapes, const PackVerbOptions& o
     for (const auto& [symbol, share] : options.shares) {
         const auto found = std::ranges::find(shapes.drawing.figures, symbol, &Figure::symbol);
         if (found == shapes.drawing.figures.end())
-            throw InputError({input_label(options.shapes.front())}, "--shares: no shape is called '" + symbol + "', but " + known);
+            throw InputError({input_label(options.shapes.front())},
+                             "--shares: no shape is called '" + symbol + "', but " + known);
         shares[static_cast<std::size_t>(found - shapes.drawing.figures.begin())] = share;
     }
     return shares;
@@ -56,7 +57,8 @@ std::shared_ptr<const FlowField> read_flow(const PackVerbOptions& options, const
     const Scene scene = read_guide(options.flow);
     const std::vector<Polyline> strokes = polylines_of(scene, guide_deviation(scene));
     constexpr double steps = 200;  // along the box's diagonal
-    return std::make_shared<const FlowField>(make_flow_field(strokes, box, {.step = diagonal(box) / steps}, input_label(options.flow)));
+    return std::make_shared<const FlowField>(
+        make_flow_field(strokes, box, {.step = diagonal(box) / steps}, input_label(options.flow)));
 }
 
 AggregateOptions fill_options(const PackShapes& shapes, const PackDomain& domain, const PackVerbOptions& options) {
@@ -69,8 +71,8 @@ AggregateOptions fill_options(const PackShapes& shapes, const PackDomain& domain
     return fill;
 }
 
-Aggregate filled(const PackShapes& shapes, const PackDomain& domain, const AggregateOptions& fill, const PackVerbOptions& options,
-                 const Progress& progress) {
+Aggregate filled(const PackShapes& shapes, const PackDomain& domain, const AggregateOptions& fill,
+                 const PackVerbOptions& options, const Progress& progress) {
     std::vector<ExclusiveRegion> regions;
     for (const PackShape& shape : shapes.shapes) regions.push_back(shape.region);
     const std::string label = input_label(options.region.empty() ? options.shapes.front() : options.region);

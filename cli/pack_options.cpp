@@ -13,7 +13,9 @@ namespace {
 
 constexpr int widest_png = 32767;  // librsvg's and cairo's limit
 
-[[noreturn]] void fail(const std::string& option, const std::string& message) { throw CLI::ValidationError(option, message); }
+[[noreturn]] void fail(const std::string& option, const std::string& message) {
+    throw CLI::ValidationError(option, message);
+}
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& expected, const std::string& text) {
     std::vector<double> numbers;
@@ -24,7 +26,8 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
 Point parse_size(const std::string& text) {
     const std::string expected = "a width and a height above 0, W,H";
     const std::vector<double> numbers = parse_numbers("--size", expected, text);
-    if (numbers.size() != 2 || !(numbers[0] > 0 && numbers[1] > 0)) fail("--size", "expected " + expected + ", found '" + text + "'");
+    if (numbers.size() != 2 || !(numbers[0] > 0 && numbers[1] > 0))
+        fail("--size", "expected " + expected + ", found '" + text + "'");
     return {numbers[0], numbers[1]};
 }
 
@@ -48,15 +51,22 @@ void parse_angles(const std::string& text, PackAngles& angles) {
     }
     const std::vector<double> low = parse_numbers("--angles", expected, text.substr(0, dots));
     const std::vector<double> high = parse_numbers("--angles", expected, text.substr(dots + 2));
-    if (low.size() != 1 || high.size() != 1 || low[0] > high[0]) fail("--angles", "expected " + expected + ", found '" + text + "'");
+    if (low.size() != 1 || high.size() != 1 || low[0] > high[0])
+        fail("--angles", "expected " + expected + ", found '" + text + "'");
     angles.low = degree * low[0];
     angles.high = degree * high[0];
 }
 
+/// `type` lists the words: "dome|cone".
 template <class Value>
-CLI::Option* add_choice(CLI::App& verb, const std::string& name, Value& value, const std::string& help,
-                        const std::map<std::string, Value>& choices, const std::string& type) {
-    return verb.add_option(name, value, help)->transform(CLI::CheckedTransformer(choices).description(""))->type_name(type);
+void add_choice(CLI::App& verb, const std::string& name, Value& value, const std::string& help,
+                const std::map<std::string, Value>& choices, const std::string& type) {
+    const auto choose = [&value, name, choices, type](const std::string& word) {
+        const auto chosen = choices.find(word);
+        if (chosen == choices.end()) fail(name, "expected " + type + ", found '" + word + "'");
+        value = chosen->second;
+    };
+    verb.add_option_function<std::string>(name, choose, help)->type_name(type);
 }
 
 void add_domain(CLI::App& verb, PackVerbOptions& options) {
@@ -67,7 +77,8 @@ void add_domain(CLI::App& verb, PackVerbOptions& options) {
     verb.add_option("--region", options.region,
                     "Fill what the closed outlines of a drawing (.svg) enclose; an outline inside another is a hole")
         ->type_name("FILE");
-    verb.add_flag("--tile", options.tile, "With --size: what leaves on one side comes in on the other, a tile without a seam");
+    verb.add_flag("--tile", options.tile,
+                  "With --size: what leaves on one side comes in on the other, a tile without a seam");
 }
 
 void add_shape_options(CLI::App& verb, PackVerbOptions& options) {
@@ -79,11 +90,13 @@ void add_shape_options(CLI::App& verb, PackVerbOptions& options) {
                     "Distance that is kept around every shape; negative: how far shapes may reach over each other")
         ->capture_default_str()
         ->type_name("M");
-    add_choice<bool>(verb, "--holes", options.exclusive.keep_holes, "Holes of shapes: others may stand in them, or not (default)",
-                     {{"keep", true}, {"fill", false}}, "keep|fill");
-    verb.add_option("--regions", options.drawn_regions,
-                    "Drawings (.svg) of the areas that shapes keep for themselves, a closed outline for each shape in the order "
-                    "of the shapes, drawn over them: one for all of SHAPES, or one for each; circle: the circle about each shape")
+    add_choice<bool>(verb, "--holes", options.exclusive.keep_holes,
+                     "Holes of shapes: others may stand in them, or not (default)", {{"keep", true}, {"fill", false}},
+                     "keep|fill");
+    verb.add_option(
+            "--regions", options.drawn_regions,
+            "Drawings (.svg) of the areas that shapes keep for themselves, a closed outline for each shape in the order "
+            "of the shapes, drawn over them: one for all of SHAPES, or one for each; circle: the circle about each shape")
         ->delimiter(',')
         ->type_name("FILE,..|circle");
     verb.add_option_function<std::string>(
@@ -111,7 +124,8 @@ void add_placing_options(CLI::App& verb, PackVerbOptions& options) {
         ->type_name("A,B,..|LOW..HIGH");
     verb.add_option("--flow", options.flow, "Strokes (.svg) that angles are measured from, instead of the horizontal")
         ->type_name("FILE");
-    verb.add_option("--density", options.density, "A picture (.png) laid over it all: dark places are filled, white ones stay free")
+    verb.add_option("--density", options.density,
+                    "A picture (.png) laid over it all: dark places are filled, white ones stay free")
         ->type_name("FILE");
 }
 
@@ -134,8 +148,7 @@ void add_method_options(CLI::App& verb, PackVerbOptions& options) {
         ->capture_default_str()
         ->type_name("N");
     constexpr int most_threads = 1024;
-    verb.add_option("--threads", options.threads,
-                    "Threads; 0 = one per processor; the result is the same for any number")
+    verb.add_option("--threads", options.threads, "Threads; 0 = one per processor; the result is the same for any number")
         ->check(CLI::Range(0, most_threads))
         ->capture_default_str()
         ->type_name("N");
@@ -145,12 +158,14 @@ void add_method_options(CLI::App& verb, PackVerbOptions& options) {
 }
 
 void add_relief_options(CLI::App& verb, PackVerbOptions& options) {
-    verb.add_option("--height-map", options.height_map, "Also write a relief, 16 bits (.png): shapes are ridges, gaps are furrows")
+    verb.add_option("--height-map", options.height_map,
+                    "Also write a relief, 16 bits (.png): shapes are ridges, gaps are furrows")
         ->type_name("FILE");
     verb.add_option("--shaded", options.shaded, "Also write a picture of the relief in light (.png)")->type_name("FILE");
-    add_choice<CristaProfile>(verb, "--profile", options.relief.profile, "Shape of a ridge: dome (default), plateau or cone",
-                              {{"dome", CristaProfile::dome}, {"plateau", CristaProfile::plateau}, {"cone", CristaProfile::cone}},
-                              "dome|plateau|cone");
+    add_choice<CristaProfile>(
+        verb, "--profile", options.relief.profile, "Shape of a ridge: dome (default), plateau or cone",
+        {{"dome", CristaProfile::dome}, {"plateau", CristaProfile::plateau}, {"cone", CristaProfile::cone}},
+        "dome|plateau|cone");
     constexpr double deepest = 0.99;
     verb.add_option("--depth", options.relief.depth, "Depth of the furrows, as a share of all height")
         ->check(number_between(0, deepest))
@@ -170,10 +185,11 @@ void expect_ending(const std::string& option, const std::string& name, FileForma
 
 void expect_output(const PackVerbOptions& options) {
     const FileFormat format = format_of(options.output, FileFormat::svg);
-    constexpr std::array<FileFormat, 7> written{FileFormat::svg, FileFormat::png,  FileFormat::pdf, FileFormat::lsys,
+    constexpr std::array<FileFormat, 7> written{FileFormat::svg,  FileFormat::png, FileFormat::pdf, FileFormat::lsys,
                                                 FileFormat::json, FileFormat::obj, FileFormat::glb};
     if (std::ranges::find(written, format) == written.end())
-        fail("-o", "expected a name that ends in .svg, .lsys, .json, .png, .pdf, .obj or .glb, found '" + options.output + "'");
+        fail("-o",
+             "expected a name that ends in .svg, .lsys, .json, .png, .pdf, .obj or .glb, found '" + options.output + "'");
     expect_writable(options.output);
     if ((format == FileFormat::obj || format == FileFormat::glb) && options.meshes.empty() && !from_meshes(options))
         fail("-o", "expected --meshes with a mesh for each shape beside '" + options.output + "'");
@@ -189,14 +205,13 @@ bool from_meshes(const PackVerbOptions& options) {
                                [](const std::string& name) { return format_of(name, FileFormat::svg) == FileFormat::obj; });
 }
 
-bool keeps_circles(const PackVerbOptions& options) {
-    return options.drawn_regions == std::vector<std::string>{"circle"};
-}
+bool keeps_circles(const PackVerbOptions& options) { return options.drawn_regions == std::vector<std::string>{"circle"}; }
 
 void add_pack_options(CLI::App& verb, PackVerbOptions& options) {
-    verb.add_option("SHAPES", options.shapes,
-                    "A drawing (.svg, .svgz, or - for standard input), of which each figure is a shape; several drawings: each "
-                    "is one; or meshes (.obj), which are packed on the ground")
+    verb.add_option(
+            "SHAPES", options.shapes,
+            "A drawing (.svg, .svgz, or - for standard input), of which each figure is a shape; several drawings: each "
+            "is one; or meshes (.obj), which are packed on the ground")
         ->required();
     verb.add_option("-o,--output", options.output,
                     "The aggregate (.svg, .png, .pdf), its grammar (.lsys), its placements (.json) or meshes (.obj, .glb); "
@@ -207,28 +222,33 @@ void add_pack_options(CLI::App& verb, PackVerbOptions& options) {
     add_placing_options(verb, options);
     add_method_options(verb, options);
     verb.add_option("--meshes", options.meshes,
-                    "A mesh (.obj) for each shape, which stands in its place in .obj, .glb and .png: as large as fits the shape's box")
+                    "A mesh (.obj) for each shape, which stands in its place in .obj, .glb and .png: as large as fits the "
+                    "shape's box")
         ->delimiter(',')
         ->type_name("FILE,..");
-    add_choice<UpAxis>(verb, "--up", options.up, "Which axis of meshes points up: y (default) or z", {{"y", UpAxis::y}, {"z", UpAxis::z}},
-                       "y|z");
+    add_choice<UpAxis>(verb, "--up", options.up, "Which axis of meshes points up: y (default) or z",
+                       {{"y", UpAxis::y}, {"z", UpAxis::z}}, "y|z");
     add_relief_options(verb, options);
-    verb.add_option("--width", options.width, "Width of pictures in pixels; without it, that of the drawing, 900 for meshes, 1024 for a relief")
+    verb.add_option("--width", options.width,
+                    "Width of pictures in pixels; without it, that of the drawing, 900 for meshes, 1024 for a relief")
         ->check(CLI::Range(1, widest_png))
         ->type_name("W");
-    verb.add_option("--report", options.report, "Where to write what was reached (.json, as docs/pack_report.schema.json says)")
+    verb.add_option("--report", options.report,
+                    "Where to write what was reached (.json, as docs/pack_report.schema.json says)")
         ->type_name("FILE");
 }
 
 void expect_pack_options(const PackVerbOptions& options) {
     if (options.size.has_value() == !options.region.empty())
-        fail("--size", "expected either --size W,H or --region FILE, found " + std::string(options.size ? "both" : "neither"));
+        fail("--size",
+             "expected either --size W,H or --region FILE, found " + std::string(options.size ? "both" : "neither"));
     if (options.tile && !options.size) fail("--tile", "is for --size only");
     const bool meshes = from_meshes(options);
     const auto is_mesh = [](const std::string& name) { return format_of(name, FileFormat::svg) == FileFormat::obj; };
     if (!meshes && std::ranges::any_of(options.shapes, is_mesh)) fail("SHAPES", "expected drawings or meshes, found both");
     if (meshes && !options.meshes.empty()) fail("--meshes", "is for shapes from drawings only");
-    if (meshes && !options.drawn_regions.empty() && !keeps_circles(options)) fail("--regions", "is for shapes from drawings only");
+    if (meshes && !options.drawn_regions.empty() && !keeps_circles(options))
+        fail("--regions", "is for shapes from drawings only");
     if (meshes && !options.sulci.empty()) fail("--sulci", "is for shapes from drawings only");
     if (!options.sulci.empty() && options.height_map.empty() && options.shaded.empty())
         fail("--sulci", "is for --height-map and --shaded only");

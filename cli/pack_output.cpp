@@ -51,7 +51,10 @@ Json shape_json(const PackShapes& shapes, std::size_t index) {
         for (const Point p : ring) corners.push_back(point_json(p));
         rings.push_back(corners);
     }
-    return {{"symbol", shapes.drawing.figures[index].symbol}, {"radius", region.radius}, {"area", region.area}, {"region", rings}};
+    return {{"symbol", shapes.drawing.figures[index].symbol},
+            {"radius", region.radius},
+            {"area", region.area},
+            {"region", rings}};
 }
 
 /// Everything as SVG has it, y down; angles clockwise.
@@ -84,7 +87,8 @@ void write_aggregate(const PackShapes& shapes, const std::vector<PlacedRegion>& 
     if (format == FileFormat::png && !shapes.meshes.empty()) {
         MeshView view;
         if (options.width > 0) view.width = options.width;
-        return write_output(options.output, picture_to_png(mesh_picture(assembly_of(shapes, placed, options.up), options.up, view)));
+        return write_output(options.output,
+                            picture_to_png(mesh_picture(assembly_of(shapes, placed, options.up), options.up, view)));
     }
     switch (format) {
         case FileFormat::obj: {

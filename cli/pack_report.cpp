@@ -50,7 +50,8 @@ std::string pack_report(const PackShapes& shapes, const Aggregate& aggregate, co
         json["shapes"].push_back(
             {{"symbol", shapes.drawing.figures[i].symbol},
              {"placed", measures.counts[i]},
-             {"share", measures.placed == 0 ? 0.0 : static_cast<double>(measures.counts[i]) / static_cast<double>(measures.placed)}});
+             {"share",
+              measures.placed == 0 ? 0.0 : static_cast<double>(measures.counts[i]) / static_cast<double>(measures.placed)}});
     json["warnings"] = shapes.warnings;
     json["seconds"] = {{"shapes", seconds.shapes}, {"fill", seconds.fill}, {"total", seconds.total}};
     constexpr int indent = 2;

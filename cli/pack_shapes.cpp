@@ -1,5 +1,5 @@
-// Each shape stands upright in the frame of its exclusive region: as its first whole copy stands in the drawing, so that angle 0
-// and scale 1 mean what a person sees there, wherever the analysis has put the terminal's own heading.
+// Each shape stands upright in the frame of its exclusive region: as its first whole copy stands in the drawing, so that
+// angle 0 and scale 1 mean what a person sees there, wherever the analysis has put the terminal's own heading.
 
 #include "cli/pack_shapes.h"
 
@@ -29,7 +29,8 @@ struct ShapeFile {
 
 ShapeFile shape_file(GrowthInput input) {
     ShapeFile file{.input = std::move(input)};
-    if (file.drawing().figures.empty()) throw InputError({file.input.label}, "expected shapes that enclose an area, found none");
+    if (file.drawing().figures.empty())
+        throw InputError({file.input.label}, "expected shapes that enclose an area, found none");
     for (std::size_t i = 0; i < file.drawing().figures.size(); ++i) {
         const auto is_copy = [i](const FigureInstance& instance) {
             return instance.whole && instance.figure == static_cast<int>(i);
@@ -108,8 +109,8 @@ Region moved(const Similarity& pose, Region region) {
     return region;
 }
 
-/// What `option` draws over the shapes, in the shapes' order and in the scenes of their files: an outline for each element of a
-/// drawing that holds as many as there are shapes, or a whole drawing for each shape.
+/// What `option` draws over the shapes, in the shapes' order and in the scenes of their files: an outline for each element
+/// of a drawing that holds as many as there are shapes, or a whole drawing for each shape.
 std::vector<Region> drawn_over(const std::vector<std::string>& names, const std::string& option,
                                const std::vector<ShapePlace>& shapes) {
     std::vector<Region> regions;
@@ -129,7 +130,8 @@ std::vector<Region> drawn_over(const std::vector<std::string>& names, const std:
                                       " shapes, found " + std::to_string(regions.size()));
     for (std::size_t i = 0; i < shapes.size(); ++i)
         if (area(intersection_of(regions[i], moved(shapes[i].drawn(), shapes[i].shape().outline))) <= 0)
-            throw InputError({label}, option + ": outline " + std::to_string(i + 1) + " is not drawn over " + shapes[i].label());
+            throw InputError({label},
+                             option + ": outline " + std::to_string(i + 1) + " is not drawn over " + shapes[i].label());
     return regions;
 }
 
@@ -147,7 +149,8 @@ Region circle_about(const Region& outline) {
     for (const std::vector<Point>& ring : outline)
         for (const Point p : ring) radius = std::max(radius, abs(p - middle));
     std::vector<Point> circle;
-    for (int i = 0; i < corners; ++i) circle.push_back(middle + polar(radius / std::cos(pi / corners), two_pi * i / corners));
+    for (int i = 0; i < corners; ++i)
+        circle.push_back(middle + polar(radius / std::cos(pi / corners), two_pi * i / corners));
     return {circle};
 }
 
@@ -193,7 +196,8 @@ TriangleMesh fitted(const TriangleMesh& mesh, UpAxis up, const Box& to, const st
 
 Color first_color(const FiguredDrawing& drawing, const Figure& figure) {
     for (const Placement& part : figure.parts) {
-        const int number = part.style != 0 ? part.style : drawing.grammar.terminals[static_cast<std::size_t>(part.terminal)].style;
+        const int number =
+            part.style != 0 ? part.style : drawing.grammar.terminals[static_cast<std::size_t>(part.terminal)].style;
         const auto style = std::ranges::find(drawing.grammar.styles, number, &NumberedStyle::number);
         if (style == drawing.grammar.styles.end()) continue;
         if (const Color* color = std::get_if<Color>(&style->style.fill)) return *color;
@@ -201,7 +205,8 @@ Color first_color(const FiguredDrawing& drawing, const Figure& figure) {
     return NamedMesh{}.color;
 }
 
-std::vector<NamedMesh> meshes_of(const PackShapes& shapes, const std::vector<ShapePlace>& places, const PackVerbOptions& options) {
+std::vector<NamedMesh> meshes_of(const PackShapes& shapes, const std::vector<ShapePlace>& places,
+                                 const PackVerbOptions& options) {
     std::vector<NamedMesh> meshes;
     if (!options.meshes.empty() && options.meshes.size() != places.size())
         throw InputError({input_label(options.shapes.front())}, "--meshes: expected a mesh for each of the " +
@@ -242,7 +247,8 @@ PackShapes read_pack_shapes(const PackVerbOptions& options) {
         shapes.warnings.insert(shapes.warnings.end(), file.input.warnings.begin(), file.input.warnings.end());
     const std::vector<ShapePlace> places = all_shapes(files);
     std::vector<Region> drawn, sulci;
-    if (!options.drawn_regions.empty() && !keeps_circles(options)) drawn = drawn_over(options.drawn_regions, "--regions", places);
+    if (!options.drawn_regions.empty() && !keeps_circles(options))
+        drawn = drawn_over(options.drawn_regions, "--regions", places);
     if (!options.sulci.empty()) sulci = drawn_over(options.sulci, "--sulci", places);
     for (std::size_t i = 0; i < places.size(); ++i)
         shapes.shapes.push_back(

@@ -57,7 +57,8 @@ class PlacedFigureWriter {
     void write(const PlacedFigure& placed) {
         const Figure& figure = drawing_.figures[static_cast<std::size_t>(placed.figure)];
         if (figure.parts.size() == 1 || !placed.repaints.empty()) {
-            for (const Placement& part : parts_of(figure, placed)) append_part(grammar_.axiom, drawing_.grammar, part, size_);
+            for (const Placement& part : parts_of(figure, placed))
+                append_part(grammar_.axiom, drawing_.grammar, part, size_);
             return;
         }
         grammar_.axiom.push_back({"[", {}, {}});

@@ -110,7 +110,8 @@ class StrokeRelease {
         if (style == grammar_.styles.end() || !style->style.stroke.fixed) return;
         constexpr double dot = 0.05;  // a line that is so short beside its width is a dot: scale does not show
         const Box box = bounds(terminal.paths);
-        if (diagonal(box) * scale_of(placement.pose) < dot * style->style.stroke.width) set_scale(placement.pose, center(box));
+        if (diagonal(box) * std::max(1.0, scale_of(placement.pose)) < dot * style->style.stroke.width)
+            set_scale(placement.pose, center(box));
         placement.style = released(number, style->style, scale_of(placement.pose));
     }
 

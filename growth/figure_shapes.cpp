@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "geometry/polygon.h"
 
@@ -53,6 +54,26 @@ double distance_to_outline(const Region& region, Point p) {
     return least;
 }
 
+/// Points along the outline at even distances.
+std::vector<Point> outline_samples(const Region& region) {
+    constexpr double count = 48;
+    double whole = 0;
+    for (const auto& polygon : region)
+        for (std::size_t k = 0; k < polygon.size(); ++k) whole += abs(polygon[(k + 1) % polygon.size()] - polygon[k]);
+    const double step = whole / count;
+    std::vector<Point> samples;
+    double next = 0;  // from the start of the edge to the next sample
+    for (const auto& polygon : region)
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Point along = polygon[(k + 1) % polygon.size()] - polygon[k];
+            const double edge = abs(along);
+            if (!(step > 0)) return samples;
+            for (; next < edge; next += step) samples.push_back(polygon[k] + next / edge * along);
+            next -= edge;
+        }
+    return samples;
+}
+
 bool outline_within(const Region& a, const Region& b, double tolerance) {
     return std::ranges::all_of(a, [&](const auto& polygon) {
         return std::ranges::all_of(polygon, [&](Point p) { return distance_to_outline(b, p) <= tolerance; });
@@ -68,16 +89,15 @@ double region_gap(const BoxedRegion& a, const BoxedRegion& b, double within) {
 }
 
 bool lies_inside(const BoxedRegion& inner, const BoxedRegion& outer) {
-    constexpr double nearly_all = 0.9;  // of the corners
-    if (!contains(grown(outer.box, (1 - nearly_all) * diagonal(inner.box)), inner.box)) return false;
-    std::size_t corners = 0;
-    std::size_t inside = 0;
-    for (const auto& polygon : inner.region)
-        for (const Point p : polygon) {
-            ++corners;
-            inside += inside_region(outer.region, p) ? 1 : 0;
-        }
-    return static_cast<double>(inside) >= nearly_all * static_cast<double>(corners);
+    constexpr double nearly_all = 0.8;  // of the outline: hatching may stick out at both ends
+    constexpr double nearly = 0.01;     // of the outer one: outlines that coincide count as inside
+    const double slack = nearly * diagonal(outer.box);
+    if (!contains(grown(outer.box, slack + (1 - nearly_all) * diagonal(inner.box)), inner.box)) return false;
+    std::size_t outside = 0;
+    const std::vector<Point> samples = outline_samples(inner.region);
+    for (const Point p : samples)
+        outside += !inside_region(outer.region, p) && distance_to_outline(outer.region, p) > slack ? 1 : 0;
+    return static_cast<double>(outside) <= (1 - nearly_all) * static_cast<double>(samples.size());
 }
 
 bool same_outline(const Region& a, const Region& b, double tolerance) {

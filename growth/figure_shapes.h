@@ -16,7 +16,7 @@ struct BoxedRegion {
 /// `within`.
 double region_gap(const BoxedRegion& a, const BoxedRegion& b, double within);
 
-/// Does nearly all of the inner one lie inside the outer one?
+/// Does nearly all of the inner one's outline lie inside the outer one, or on its outline?
 bool lies_inside(const BoxedRegion& inner, const BoxedRegion& outer);
 
 /// Do the two have the same outline to within `tolerance`?

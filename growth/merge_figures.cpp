@@ -31,7 +31,8 @@ class Merge {
 
     std::string free_name(const std::string& wish) {
         std::string name = wish;
-        std::ranges::replace_if(name, [](char c) { return !is_letter(c) && !is_digit(c); }, '_');
+        std::ranges::replace_if(
+            name, [](char c) { return !is_letter(c) && !is_digit(c); }, '_');
         if (name.empty() || is_digit(name.front())) name.insert(name.begin(), 'S');
         std::string unique = name;
         for (int k = 2; taken_.count(unique) > 0 || find_turtle_command(unique) != nullptr; ++k)
@@ -56,7 +57,8 @@ class Merge {
         added.symbol = free_name(wish);
         std::map<int, int> terminals;  // the drawing's -> the result's
         for (Placement& part : added.parts) {
-            const auto [known, is_new] = terminals.try_emplace(part.terminal, static_cast<int>(result.grammar.terminals.size()));
+            const auto [known, is_new] =
+                terminals.try_emplace(part.terminal, static_cast<int>(result.grammar.terminals.size()));
             if (is_new) {
                 Terminal terminal = drawing.grammar.terminals[static_cast<std::size_t>(part.terminal)];
                 const std::string letter(1, static_cast<char>('a' + (terminals.size() - 1) % 26));

@@ -33,9 +33,9 @@ struct AggregateOptions {
     std::vector<double> shares;         ///< of the shapes among what is placed; empty = equal
     double share_tolerance = 0.1;       ///< how far a share may be missed so that filling can go on; 0 = strictly in turn, 1 = whatever fits
     std::shared_ptr<const DensityPicture> density;  ///< null = everywhere alike
-    std::size_t stop = 0;               ///< cancellations in a row that end it; 0 = the method's own (10,000; 200; 200 or as many as are placed)
+    std::size_t stop = 0;               ///< cancellations in a row that end it; 0 = the method's own (10,000; 200; 1,000 or as many as are placed, of best 300 or a quarter of them)
     std::size_t max_count = 1'000'000;  ///< of shapes
-    int shakes = 4;                     ///< rounds of quality best
+    int shakes = 6;                     ///< rounds of quality best
     std::uint64_t seed = 1;
 };
 

@@ -1,6 +1,6 @@
 // The paper computes the field anew for every round on the graphics processor. Here a region that is added changes only the
-// cells that are nearer to it than to everything before, and these lie around it without a gap: a window is made larger until
-// nothing changes along its sides.
+// cells that are nearer to it than to everything before, and these lie around it without a gap: a window is made larger
+// until nothing changes along its sides.
 
 #include "growth/aggregate/distance_field.h"
 
@@ -82,7 +82,8 @@ CellMask DistanceField::mask_of(const Region& region, const CellWindow& window) 
         };
         const auto begin = mask.marked.begin() + static_cast<std::ptrdiff_t>(row) * window.columns;
         for (std::size_t k = 0; k + 1 < line.size(); k += 2)
-            std::fill(begin + first_at(line[k]), begin + std::max(first_at(line[k]), first_at(line[k + 1])), std::uint8_t{1});
+            std::fill(begin + first_at(line[k]), begin + std::max(first_at(line[k]), first_at(line[k + 1])),
+                      std::uint8_t{1});
     }
     if (std::ranges::find(mask.marked, 1) == mask.marked.end()) mark_corners(region, window, mask);
     return mask;
@@ -95,11 +96,13 @@ void DistanceField::mark_corners(const Region& region, const CellWindow& window,
             const int column = static_cast<int>(std::floor((p.x - low_.x) / cell_.x)) - window.column;
             const int row = static_cast<int>(std::floor((p.y - low_.y) / cell_.y)) - window.row;
             if (column < 0 || row < 0 || column >= window.columns || row >= window.rows) continue;
-            mask.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column)] = 1;
+            mask.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) +
+                        static_cast<std::size_t>(column)] = 1;
         }
 }
 
-/// To the outline, which runs half a cell from the middles of the cells beside it: positive outside the mask, negative in it.
+/// To the outline, which runs half a cell from the middles of the cells beside it: positive outside the mask, negative in
+/// it.
 std::vector<float> DistanceField::signed_distances(const CellMask& mask, bool wrapped) const {
     std::vector<float> outside = distances_to_marked(mask, cell_, wrapped);
     CellMask free = mask;
@@ -110,6 +113,25 @@ std::vector<float> DistanceField::signed_distances(const CellMask& mask, bool wr
     return outside;
 }
 
+/// The same for a region that stands within `inner`, a part of the window; outside, the distances are there already.
+void DistanceField::mark_inside(const CellWindow& inner, const CellWindow& window, const CellMask& mask,
+                                std::vector<float>& distances) const {
+    const auto half = static_cast<float>(0.5 * std::min(cell_.x, cell_.y));
+    for (float& distance : distances) distance -= half;
+    const auto in_window = [&](int column, int row) {
+        return static_cast<std::size_t>(inner.row - window.row + row) * static_cast<std::size_t>(window.columns) +
+               static_cast<std::size_t>(inner.column - window.column + column);
+    };
+    CellMask free{inner.columns, inner.rows, {}};
+    for (int row = 0; row < inner.rows; ++row)
+        for (int column = 0; column < inner.columns; ++column) free.marked.push_back(!mask.marked[in_window(column, row)]);
+    const std::vector<float> depths = distances_to_marked(free, cell_);
+    for (int row = 0, i = 0; row < inner.rows; ++row)
+        for (int column = 0; column < inner.columns; ++column, ++i)
+            if (!free.marked[static_cast<std::size_t>(i)])
+                distances[in_window(column, row)] = half - depths[static_cast<std::size_t>(i)];
+}
+
 void DistanceField::add_all(const std::vector<Region>& regions) {
     CellMask mask{columns_, rows_, std::vector<std::uint8_t>(values_.size(), 0)};
     for (const Region& region : regions) {
@@ -117,7 +139,8 @@ void DistanceField::add_all(const std::vector<Region>& regions) {
         const CellMask one = mask_of(region, window);
         for (int row = 0; row < window.rows; ++row)
             for (int column = 0; column < window.columns; ++column)
-                if (one.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column)])
+                if (one.marked[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) +
+                               static_cast<std::size_t>(column)])
                     mask.marked[folded(window.column + column, window.row + row)] = 1;
     }
     const std::vector<float> distances = signed_distances(mask, tiled_);
@@ -131,7 +154,8 @@ std::size_t DistanceField::folded(int column, int row) const {
 CellWindow DistanceField::window_about(const Box& box, double margin) const {
     const auto first = [](double x) { return static_cast<int>(std::floor(x)) - 1; };
     const int column = first((box.low.x - margin - low_.x) / cell_.x), row = first((box.low.y - margin - low_.y) / cell_.y);
-    const int end_column = first((box.high.x + margin - low_.x) / cell_.x) + 3, end_row = first((box.high.y + margin - low_.y) / cell_.y) + 3;
+    const int end_column = first((box.high.x + margin - low_.x) / cell_.x) + 3,
+              end_row = first((box.high.y + margin - low_.y) / cell_.y) + 3;
     return clipped({column, row, end_column - column, end_row - row});
 }
 
@@ -156,7 +180,8 @@ CellWindow DistanceField::clipped(CellWindow window) const {
 /// Does a cell along the sides of the window, other than the grid's own, come nearer to the region than it was to all else?
 bool DistanceField::reaches_beyond(const CellWindow& window, const std::vector<float>& distances) const {
     const auto nearer = [&](int column, int row) {
-        const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column);
+        const std::size_t i =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column);
         return distances[i] < values_[folded(window.column + column, window.row + row)];
     };
     const bool left = tiled_ ? window.columns < columns_ : window.column > 0;
@@ -181,7 +206,8 @@ CellWindow DistanceField::add(const Region& region) {
     for (double margin = deepest;; margin = 2 * margin + step()) {
         window = window_about(box, margin);
         const CellMask mask = mask_of(region, window);
-        const std::vector<float> distances = signed_distances(mask, false);
+        std::vector<float> distances = distances_to_marked(mask, cell_);
+        mark_inside(window_about(box, 0), window, mask, distances);
         if (reaches_beyond(window, distances)) continue;
         std::size_t i = 0;
         for (int row = 0; row < window.rows; ++row)
@@ -193,26 +219,41 @@ CellWindow DistanceField::add(const Region& region) {
     }
 }
 
-DistanceField::Slope DistanceField::slope_at(Point p) const {
+DistanceField::Patch DistanceField::patch_at(Point p) const {
     const double x = (p.x - low_.x) / cell_.x - 0.5, y = (p.y - low_.y) / cell_.y - 0.5;
-    double column = std::floor(x), row = std::floor(y);
-    double beyond = 0;  // how far p is from the grid
-    if (!tiled_) {
-        column = std::clamp(column, 0.0, columns_ - 2.0);
-        row = std::clamp(row, 0.0, rows_ - 2.0);
-        const double out_x = std::max({column - x, x - column - 1, 0.0}), out_y = std::max({row - y, y - row - 1, 0.0});
-        beyond = std::hypot(out_x * cell_.x, out_y * cell_.y);
+    // Between four cells of the grid, as nearly always; or else between the nearest four, or of a tile those around its
+    // side.
+    double beyond = 0;
+    int column = 0, row = 0;
+    if (x >= 0 && y >= 0 && x < columns_ - 1 && y < rows_ - 1) {
+        column = static_cast<int>(x);
+        row = static_cast<int>(y);
+    } else if (tiled_) {
+        column = static_cast<int>(std::floor(x));
+        row = static_cast<int>(std::floor(y));
+    } else {
+        const double near_x = std::clamp(x, 0.0, columns_ - 1.0), near_y = std::clamp(y, 0.0, rows_ - 1.0);
+        beyond = abs(Point{(x - near_x) * cell_.x, (y - near_y) * cell_.y});
+        column = std::min(static_cast<int>(near_x), columns_ - 2);
+        row = std::min(static_cast<int>(near_y), rows_ - 2);
     }
     const double u = std::clamp(x - column, 0.0, 1.0), v = std::clamp(y - row, 0.0, 1.0);
-    const int c = static_cast<int>(column), r = static_cast<int>(row);
-    const double f00 = values_[folded(c, r)], f10 = values_[folded(c + 1, r)];
-    const double f01 = values_[folded(c, r + 1)], f11 = values_[folded(c + 1, r + 1)];
-    const double low = f00 + u * (f10 - f00), high = f01 + u * (f11 - f01);
-    const Point rise{((1 - v) * (f10 - f00) + v * (f11 - f01)) / cell_.x, (high - low) / cell_.y};
-    const double length = abs(rise);
-    return {low + v * (high - low) - beyond, length > 0 ? rise / length : Point{}};
+    const double f00 = values_[folded(column, row)], f10 = values_[folded(column + 1, row)];
+    const double f01 = values_[folded(column, row + 1)], f11 = values_[folded(column + 1, row + 1)];
+    return {f00 + u * (f10 - f00), f01 + u * (f11 - f01), f10 - f00, f11 - f01, v, beyond};
 }
 
-double DistanceField::at(Point p) const { return slope_at(p).value; }
+double DistanceField::at(Point p) const {
+    const Patch patch = patch_at(p);
+    return patch.low + patch.v * (patch.high - patch.low) - patch.beyond;
+}
+
+Point DistanceField::uphill(Point p) const {
+    const Patch patch = patch_at(p);
+    const Point rise{(patch.low_rise + patch.v * (patch.high_rise - patch.low_rise)) / cell_.x,
+                     (patch.high - patch.low) / cell_.y};
+    const double length = abs(rise);
+    return length > 0 ? rise / length : Point{};
+}
 
 }  // namespace rinceau

@@ -1,6 +1,6 @@
 #pragma once
-// How far every place of a domain is from what is placed and from the border (Sakurai & Miyata 2014, section 4.2), kept up to
-// date around each new region.
+// How far every place of a domain is from what is placed and from the border (Sakurai & Miyata 2014, section 4.2), kept up
+// to date around each new region.
 
 #include <cstddef>
 #include <optional>
@@ -29,17 +29,14 @@ class DistanceField {
     void clear();
     /// Adds many regions at once: time linear in the cells.
     void add_all(const std::vector<Region>& regions);
-    /// Adds one region: time linear in the cells that come nearer to it than to all else. Says where values may have changed.
+    /// Adds one region: time linear in the cells that come nearer to it than to all else. Says where values may have
+    /// changed.
     CellWindow add(const Region& region);
 
     /// Between the middles of cells, bilinear; beyond the border it falls on.
     double at(Point p) const;
-    /// At p, with the direction in which it rises: a unit vector, or zero where none can be told.
-    struct Slope {
-        double value = 0;
-        Point uphill;
-    };
-    Slope slope_at(Point p) const;
+    /// The direction in which it rises there: a unit vector, or zero where none can be told.
+    Point uphill(Point p) const;
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -55,12 +52,21 @@ class DistanceField {
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
+    /// A point between the middles of four cells: values below and above it, how they rise to the right over one cell, and
+    /// how far up from the lower to the higher pair it stands.
+    struct Patch {
+        double low, high, low_rise, high_rise, v;
+        double beyond;  ///< how far the point is from the grid
+    };
+    Patch patch_at(Point p) const;
     CellMask mask_of(const Region& region, const CellWindow& window) const;
     void mark_corners(const Region& region, const CellWindow& window, CellMask& mask) const;
     CellWindow window_about(const Box& box, double margin) const;
     CellWindow clipped(CellWindow window) const;
     bool reaches_beyond(const CellWindow& window, const std::vector<float>& distances) const;
     std::vector<float> signed_distances(const CellMask& mask, bool wrapped) const;
+    void mark_inside(const CellWindow& inner, const CellWindow& window, const CellMask& mask,
+                     std::vector<float>& distances) const;
     std::vector<float> empty_domain(const PackDomain& domain) const;
     std::size_t folded(int column, int row) const;
 
@@ -68,7 +74,7 @@ class DistanceField {
     CellSize cell_;
     int columns_ = 1, rows_ = 1;
     bool tiled_ = false;
-    std::vector<float> empty_;   ///< of the domain with nothing in it
+    std::vector<float> empty_;  ///< of the domain with nothing in it
     std::vector<float> values_;
 };
 

@@ -16,14 +16,14 @@ constexpr float unreached = std::numeric_limits<float>::infinity();
 std::vector<float> column_distances(const CellMask& mask, bool wrapped) {
     const auto columns = static_cast<std::size_t>(mask.columns);
     const int rows = mask.rows;
-    std::vector<float> steps(mask.marked.size(), unreached);
+    std::vector<float> steps(mask.marked.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = mask.marked[i] ? 0 : unreached;
+    if (mask.marked.empty()) return steps;
     const auto sweep = [&](int row, int from) {
         float* to = &steps[static_cast<std::size_t>(row) * columns];
         const float* nearest = &steps[static_cast<std::size_t>(from) * columns];
-        const std::uint8_t* marked = &mask.marked[static_cast<std::size_t>(row) * columns];
-        for (std::size_t x = 0; x < columns; ++x) to[x] = marked[x] ? 0 : std::min(to[x], nearest[x] + 1);
+        for (std::size_t x = 0; x < columns; ++x) to[x] = std::min(to[x], nearest[x] + 1);
     };
-    if (mask.marked.empty()) return steps;
     // Around the grid, a second pass hands on what the first one knew only at its end.
     for (int pass = 0; pass < (wrapped ? 2 : 1); ++pass) {
         sweep(0, wrapped ? rows - 1 : 0);
@@ -37,17 +37,19 @@ std::vector<float> column_distances(const CellMask& mask, bool wrapped) {
 /// Lower envelope of the parabolas height[i] + (x - i)^2: row by row, so that its vectors are made once.
 class Envelope {
   public:
-    explicit Envelope(std::size_t count) : center_(count), start_(count + 1) {}
+    explicit Envelope(std::size_t count) : center_(count), start_(count + 1), half_inverse_(count) {
+        for (std::size_t i = 1; i < count; ++i) half_inverse_[i] = 0.5 / static_cast<double>(i);
+    }
 
     /// `height` becomes the envelope at 0 .. count - 1.
     void lower(std::vector<double>& height) {
         std::size_t last = 0;
         bool any = false;
         for (std::size_t i = 0; i < height.size(); ++i) {
-            if (!std::isfinite(height[i])) continue;
+            if (height[i] > farthest) continue;
             if (!any) {
                 any = true;
-                put(0, i, -std::numeric_limits<double>::infinity(), height[i]);
+                put(0, i, -unbounded, height[i]);
                 continue;
             }
             double from = crossing(last, i, height[i]);
@@ -55,33 +57,39 @@ class Envelope {
             put(++last, i, from, height[i]);
         }
         if (!any) return;
-        start_[last + 1] = std::numeric_limits<double>::infinity();
+        start_[last + 1] = unbounded;
         read(height);
     }
 
   private:
+    static constexpr double unbounded = std::numeric_limits<double>::infinity();
+    static constexpr double farthest = std::numeric_limits<double>::max();
     struct Parabola {
-        double at = 0, height = 0;
+        std::size_t at = 0;
+        double height = 0;
     };
     void put(std::size_t k, std::size_t i, double from, double height) {
-        center_[k] = {static_cast<double>(i), height};
+        center_[k] = {i, height};
         start_[k] = from;
     }
+    /// Where parabola i begins to be lower than the k-th of the envelope, which stands before it.
     double crossing(std::size_t k, std::size_t i, double height) const {
-        const double at = static_cast<double>(i);
-        return 0.5 * (height - center_[k].height) / (at - center_[k].at) + 0.5 * (at + center_[k].at);
+        const Parabola& before = center_[k];
+        return (height - before.height) * half_inverse_[i - before.at] + 0.5 * static_cast<double>(i + before.at);
     }
     void read(std::vector<double>& height) const {
         std::size_t k = 0;
         for (std::size_t i = 0; i < height.size(); ++i) {
             const double at = static_cast<double>(i);
             while (start_[k + 1] < at) ++k;
-            height[i] = center_[k].height + (at - center_[k].at) * (at - center_[k].at);
+            const double away = at - static_cast<double>(center_[k].at);
+            height[i] = center_[k].height + away * away;
         }
     }
 
     std::vector<Parabola> center_;
     std::vector<double> start_;
+    std::vector<double> half_inverse_;  ///< 1 / (2 i)
 };
 
 }  // namespace
@@ -89,16 +97,20 @@ class Envelope {
 std::vector<float> distances_to_marked(const CellMask& mask, CellSize cell, bool wrapped) {
     std::vector<float> result = column_distances(mask, wrapped);
     const auto columns = static_cast<std::size_t>(mask.columns);
-    // Around the grid, the row is doubled: half of it stands before it, half after it.
+    // Around the grid, the row is doubled: its second half stands before it, its first half after it.
     const std::size_t before = wrapped ? (columns + 1) / 2 : 0, length = columns + 2 * before;
     const double stretch = cell.y / cell.x;
     std::vector<double> height(length);
     Envelope envelope(length);
     for (int row = 0; row < mask.rows; ++row) {
         float* line = &result[static_cast<std::size_t>(row) * columns];
-        for (std::size_t x = 0; x < length; ++x) {
-            const double steps = stretch * static_cast<double>(line[(x + columns - before % columns) % columns]);
-            height[x] = steps * steps;
+        for (std::size_t x = 0; x < columns; ++x) {
+            const double steps = stretch * static_cast<double>(line[x]);
+            height[before + x] = steps * steps;
+        }
+        for (std::size_t x = 0; x < before; ++x) {
+            height[x] = height[x + columns];
+            height[before + columns + x] = height[before + x];
         }
         envelope.lower(height);
         for (std::size_t x = 0; x < columns; ++x) line[x] = static_cast<float>(cell.x * std::sqrt(height[before + x]));

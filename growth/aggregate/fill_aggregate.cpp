@@ -1,5 +1,5 @@
-// Sakurai & Miyata 2014 as a machine that makes one try at a time: sparse start (section 4.1) -> filling (4.2, or 3.2 alone) ->
-// rounds of shaking, each filled again.
+// Sakurai & Miyata 2014 as a machine that makes one try at a time: sparse start (section 4.1) -> filling (4.2, or 3.2 alone)
+// -> rounds of shaking, each filled again.
 
 #include "growth/aggregate/fill_aggregate.h"
 
@@ -17,7 +17,8 @@ namespace {
 enum class FillStage : std::uint8_t { sparse, filling, shaking, done };
 
 // Cancellations in a row that end a stage.
-constexpr std::size_t sparse_stop = 100, naive_stop = 10'000, gaps_stop = 200, least_settle_stop = 200;
+constexpr std::size_t sparse_stop = 100, naive_stop = 10'000, gaps_stop = 200, least_settle_stop = 1'000,
+                      least_best_stop = 300;
 
 }  // namespace
 
@@ -46,6 +47,7 @@ struct AggregateFill::State {
     std::optional<ShakeRound> shake;
     int shaken = 0;               ///< rounds that have been begun
     std::size_t longest_row = 0;  ///< of cancellations in this stage
+    double furthest = 0;          ///< largest fraction so far: what is estimated may fall back, what is told does not
 };
 
 std::size_t AggregateFill::State::stop() const {
@@ -53,7 +55,8 @@ std::size_t AggregateFill::State::stop() const {
     if (options().stop > 0) return options().stop;
     if (options().method == PackMethod::naive) return naive_stop;
     if (options().method == PackMethod::gaps) return gaps_stop;
-    // A count that stays the same would leave larger domains less full.
+    // A count that stays the same would leave larger domains less full. After shaking there is another chance.
+    if (is_best()) return std::max(least_best_stop, packing.placed().size() / 4);
     return std::max(least_settle_stop, packing.placed().size());
 }
 
@@ -75,9 +78,13 @@ void AggregateFill::State::end_filling() {
 bool AggregateFill::State::fill_once() {
     const bool growing = is_best() && options().max_scale > options().min_scale;
     switch (options().method) {
-        case PackMethod::naive: try_dart(packing, growing); return true;
-        case PackMethod::gaps: return gaps.try_point(packing, growing);
-        case PackMethod::settle: break;
+        case PackMethod::naive:
+            try_dart(packing, growing);
+            return true;
+        case PackMethod::gaps:
+            return gaps.try_point(packing, growing);
+        case PackMethod::settle:
+            break;
     }
     return try_settled(packing, growing);
 }
@@ -86,18 +93,22 @@ void AggregateFill::State::try_once() {
     const bool full = packing.placed().size() >= options().max_count;
     switch (stage) {
         case FillStage::sparse:
-            if (full || packing.cancelled_in_row() >= stop()) return begin_filling();
-            sparse->try_circle(packing);
+            if (full || packing.cancelled_in_row() >= stop())
+                begin_filling();
+            else
+                sparse->try_circle(packing);
             break;
         case FillStage::filling:
-            if (full || packing.cancelled_in_row() >= stop() || !fill_once()) return end_filling();
+            if (full || packing.cancelled_in_row() >= stop() || !fill_once()) end_filling();
             break;
         case FillStage::shaking:
             if (!shake->slide_next(packing)) begin_filling();
             break;
-        case FillStage::done: break;
+        case FillStage::done:
+            break;
     }
     longest_row = std::max(longest_row, packing.cancelled_in_row());
+    furthest = std::max(furthest, fraction());
 }
 
 double AggregateFill::State::fraction_of_stage() const {
@@ -124,12 +135,13 @@ bool AggregateFill::step(std::size_t tries) {
     for (std::size_t i = 0; i < tries && state_->stage != FillStage::done; ++i) state_->try_once();
     return state_->stage != FillStage::done;
 }
-double AggregateFill::fraction() const { return state_->fraction(); }
+double AggregateFill::fraction() const { return state_->furthest; }
 const std::vector<PlacedRegion>& AggregateFill::placed() const { return state_->packing.placed(); }
 const AggregateCounts& AggregateFill::counts() const { return state_->packing.counts(); }
 
-Aggregate fill_aggregate(const std::vector<ExclusiveRegion>& regions, const PackDomain& domain, const AggregateOptions& options,
-                         const std::string& label, const std::function<bool()>& stop, const Progress& progress) {
+Aggregate fill_aggregate(const std::vector<ExclusiveRegion>& regions, const PackDomain& domain,
+                         const AggregateOptions& options, const std::string& label, const std::function<bool()>& stop,
+                         const Progress& progress) {
     constexpr std::size_t tries_between_reports = 256;
     AggregateFill fill(regions, domain, options, label);
     bool complete = true;

@@ -45,7 +45,8 @@ PackPose grown_pose(Packing& packing, int shape, PackPose fitting, bool settling
         larger.scale = i == 0 ? high : 0.5 * (low + high);
         std::optional<PackPose> pose = larger;
         if (settling)
-            pose = settled(packing.field(), packing.region(shape), larger, packing.options().angles, packing.clearance(larger.at));
+            pose = settled(packing.field(), packing.region(shape), larger, packing.options().angles,
+                           packing.clearance(larger.at));
         if (pose && packing.is_free(shape, *pose)) {
             fitting = *pose;
             low = fitting.scale;
@@ -79,8 +80,8 @@ void try_dart(Packing& packing, bool growing) {
 }
 
 SparseStart::SparseStart(const Packing& packing)
-    : circles_(packing.domain().region ? bounds(*packing.domain().region) : packing.domain().box, 2 * greatest_circle(packing),
-               max_circle_cells),
+    : circles_(packing.domain().region ? bounds(*packing.domain().region) : packing.domain().box,
+               2 * greatest_circle(packing), max_circle_cells),
       reach_(greatest_circle(packing)) {}
 
 bool SparseStart::is_apart(const Packing& packing, Point at, double radius) const {
@@ -95,7 +96,8 @@ bool SparseStart::is_apart(const Packing& packing, Point at, double radius) cons
                 return norm(p - other.pose.translation) > reach * reach;
             };
             const Box around = grown(Box{p, p}, radius + reach_);
-            if (!circles_.walk(around, [&](int column, int row) { return circles_.visit(column, row, apart); })) return false;
+            if (!circles_.walk(around, [&](int column, int row) { return circles_.visit(column, row, apart); }))
+                return false;
         }
     return true;
 }
@@ -107,7 +109,8 @@ void SparseStart::try_circle(Packing& packing) {
     if (!is_apart(packing, pose.at, radius)) return packing.cancel();
     if (!packing.try_place(shape, pose)) return;
     const Point at = packing.placed().back().pose.translation;
-    circles_.add(circles_.column_at(at.x), circles_.row_at(at.y), {static_cast<std::uint32_t>(packing.placed().size() - 1), 0});
+    circles_.add(circles_.column_at(at.x), circles_.row_at(at.y),
+                 {static_cast<std::uint32_t>(packing.placed().size() - 1), 0});
 }
 
 bool GapRound::try_point(Packing& packing, bool growing) {

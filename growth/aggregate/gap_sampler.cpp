@@ -1,6 +1,6 @@
-// The paper visits every pixel with the probability d^16 to scatter points Q and picks 100 of them, the points P; its sentence
-// "when the random number is over the probability" must read "below". Drawing a block of cells from a tree of sums and a cell
-// from the block is the same distribution, without the points Q and without a visit to every pixel.
+// The paper visits every pixel with the probability d^16 to scatter points Q and picks 100 of them, the points P; its
+// sentence "when the random number is over the probability" must read "below". Drawing a block of cells from a tree of sums
+// and a cell from the block is the same distribution, without the points Q and without a visit to every pixel.
 
 #include "growth/aggregate/gap_sampler.h"
 
@@ -34,7 +34,8 @@ GapSampler::GapSampler(const DistanceField& field, double least, std::vector<flo
 double GapSampler::weight(const DistanceField& field, int column, int row) const {
     double value = field.value(column, row);
     if (!clearance_.empty())
-        value -= clearance_[static_cast<std::size_t>(row) * static_cast<std::size_t>(field.columns()) + static_cast<std::size_t>(column)];
+        value -= clearance_[static_cast<std::size_t>(row) * static_cast<std::size_t>(field.columns()) +
+                            static_cast<std::size_t>(column)];
     // In cells, so that the power neither overflows nor vanishes.
     return value > least_ ? to_the_16th(value / field.step()) : 0;
 }

@@ -14,7 +14,8 @@ namespace rinceau {
 /// was told of last. A draw and an update cost the logarithm of the number of cells.
 class GapSampler {
   public:
-    /// Cells with a value up to `least` are never drawn. `clearance` is taken off the value of every cell first; empty = none.
+    /// Cells with a value up to `least` are never drawn. `clearance` is taken off the value of every cell first; empty =
+    /// none.
     GapSampler(const DistanceField& field, double least, std::vector<float> clearance = {});
 
     /// The field has changed everywhere, or within a window.

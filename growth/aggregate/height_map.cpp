@@ -1,6 +1,6 @@
 // Sakurai & Miyata 2014, figure 16: height maps of leather, cristae with sulci between them. The paper lays grey pictures of
-// cristae; here heights follow from the outlines: a crista rises with the distance from its edge (smooth_distance.h), a sulcus
-// falls with the distance from the nearest one.
+// cristae; here heights follow from the outlines: a crista rises with the distance from its edge (smooth_distance.h), a
+// sulcus falls with the distance from the nearest one.
 
 #include "growth/aggregate/height_map.h"
 
@@ -33,7 +33,8 @@ struct PixelField {
 PixelField make_field(const Box& box, int columns, double value) {
     constexpr double most_pixels = 64e6;
     const double rows = std::max(1.0, std::round(columns * height(box) / width(box)));
-    if (rows * columns > most_pixels) throw LimitError({}, "the height map has more than 64 million pixels; make it smaller");
+    if (rows * columns > most_pixels)
+        throw LimitError({}, "the height map has more than 64 million pixels; make it smaller");
     PixelField field{columns, static_cast<int>(rows), width(box) / columns, box, {}};
     field.values.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(field.rows), value);
     return field;

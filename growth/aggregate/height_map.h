@@ -16,8 +16,8 @@ enum class CristaProfile : std::uint8_t { dome, plateau, cone };
 struct HeightMapOptions {
     int columns = 1024;  ///< pixels from left to right; rows follow from the box
     CristaProfile profile = CristaProfile::dome;
-    double depth = 0.4;         ///< share of the range of heights that lies below the edges of the cristae, in [0, 1)
-    double sulcus_width = 0;    ///< from an edge to the bottom of a sulcus, scene length; 0 = half of what a crista rises over
+    double depth = 0.4;       ///< share of the range of heights that lies below the edges of the cristae, in [0, 1)
+    double sulcus_width = 0;  ///< from an edge to the bottom of a sulcus, scene length; 0 = half of what a crista rises over
 };
 
 /// Heights over the box of a domain: 0 the bottom of the sulci, 1 the top of the highest crista.
@@ -29,8 +29,8 @@ struct HeightMap {
 };
 
 /// `cristae[shape]` is what rises, in the frame of the exclusive regions that were placed; all that is left are sulci. With
-/// `sulci` not empty, these shapes are also sunk in where the cristae of the same number stand. A tiled domain has no seam. At
-/// least one thing is placed. Throws LimitError for more than 64 million pixels.
+/// `sulci` not empty, these shapes are also sunk in where the cristae of the same number stand. A tiled domain has no seam.
+/// At least one thing is placed. Throws LimitError for more than 64 million pixels.
 HeightMap height_map(const std::vector<Region>& cristae, const std::vector<Region>& sulci,
                      const std::vector<PlacedRegion>& placed, const PackDomain& domain, const HeightMapOptions& options = {},
                      const Progress& progress = {});

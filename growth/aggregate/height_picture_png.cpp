@@ -24,13 +24,13 @@ void flush_nothing(png_structp) {}
 /// False if libpng gives up; it does so by a jump, over which nothing may stand that has to be destroyed.
 bool write_rows(png_structp png, png_infop info, const HeightMap& map, png_bytep row_bytes) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
-    png_set_IHDR(png, info, static_cast<png_uint_32>(map.columns), static_cast<png_uint_32>(map.rows), bits, PNG_COLOR_TYPE_GRAY,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(map.columns), static_cast<png_uint_32>(map.rows), bits,
+                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column) {
-            const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
-                                  static_cast<std::size_t>(column);
+            const std::size_t i =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column);
             const auto value = static_cast<std::uint16_t>(std::lround(top * std::clamp(map.heights[i], 0.0, 1.0)));
             row_bytes[2 * column] = static_cast<png_byte>(value >> 8U);  // high byte first
             row_bytes[2 * column + 1] = static_cast<png_byte>(value & 0xFFU);

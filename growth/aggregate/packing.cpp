@@ -8,8 +8,8 @@
 namespace rinceau {
 namespace {
 
-/// Cells across the largest inner disc of the least shape; twice as wide ones cost a twentieth of what is filled.
-constexpr double cells_a_disc = 4;
+/// Cells across the largest inner disc of the least shape; half as many cost some hundredths of what is filled.
+constexpr double cells_a_disc = 3;
 constexpr std::size_t max_field_cells = 16'000'000;
 /// Gaps that hold less than this part of the least shape's largest disc are left alone.
 constexpr double least_gap_share = 0.25;
@@ -50,11 +50,14 @@ Packing::Packing(std::vector<ExclusiveRegion> regions, PackDomain domain, Aggreg
     }
 }
 
-double Packing::density(Point at) const { return options_.density ? std::clamp(density_at(*options_.density, at), 0.0, 1.0) : 1; }
+double Packing::density(Point at) const {
+    return options_.density ? std::clamp(density_at(*options_.density, at), 0.0, 1.0) : 1;
+}
 
 double Packing::largest_scale(Point at) const { return std::lerp(options_.min_scale, options_.max_scale, density(at)); }
 
-/// A shape of area A and perimeter P that keeps half of g to itself takes A + P g / 2 + pi g^2 / 4; this is to be A / density.
+/// A shape of area A and perimeter P that keeps half of g to itself takes A + P g / 2 + pi g^2 / 4; this is to be A /
+/// density.
 double Packing::clearance_for(double density) const {
     if (density >= 1) return 0;
     const double scale = 0.5 * (options_.min_scale + std::lerp(options_.min_scale, options_.max_scale, density));

@@ -1,5 +1,5 @@
-// Not in the paper. Every disc that is too near to something is pushed up the field by as much as it lacks; the shape follows
-// as a rigid body. Discs lie inside the region, so what is refused here would be refused by the exact test, too.
+// Not in the paper. Every disc that is too near to something is pushed up the field by as much as it lacks; the shape
+// follows as a rigid body. Discs lie inside the region, so what is refused here would be refused by the exact test, too.
 
 #include "growth/aggregate/settle.h"
 
@@ -15,7 +15,7 @@ constexpr double falling = 0.9;          // by so much in every step
 constexpr double target_cells = 0.3;     // discs are pushed a little farther than they must
 constexpr double tolerance_cells = 0.7;  // by which the field may be wrong
 constexpr double turn_gain = 0.7;
-constexpr double turn_inertia = 0.05;    // of the squared radius, for discs near the middle
+constexpr double turn_inertia = 0.05;  // of the squared radius, for discs near the middle
 
 /// What all discs together ask for.
 struct Push {
@@ -24,17 +24,18 @@ struct Push {
     double turn = 0;
 };
 
-Push push_at(const DistanceField& field, const ExclusiveRegion& region, const Similarity& pose, double scale, double clearance) {
+Push push_at(const DistanceField& field, const ExclusiveRegion& region, const Similarity& pose, double scale,
+             double clearance) {
     Push push;
     Point moves;
     double torque = 0, inertia = 0;
     int pushed = 0;
     for (const InnerDisc& disc : region.discs) {
         const Point arm = pose.linear * disc.center;
-        const auto [value, uphill] = field.slope_at(pose.translation + arm);
-        const double lack = disc.radius * scale + clearance + target_cells * field.step() - value;
+        const Point at = pose.translation + arm;
+        const double lack = disc.radius * scale + clearance + target_cells * field.step() - field.at(at);
         if (lack <= 0) continue;
-        const Point force = lack * uphill;
+        const Point force = lack * field.uphill(at);
         moves += force;
         torque += cross(arm, force);
         inertia += norm(arm);

@@ -1,6 +1,6 @@
-// The mean value normalisation of a polygon (Floater 2003; Hormann & Floater 2006 show that it is positive inside any polygon)
-// is the integral of 1 / rho over all directions, rho being the distance to the outline; 2 over it is a distance of first order
-// at the outline (Belyaev, Fayolle, Pasko 2013, "Signed Lp-distance fields").
+// The mean value normalisation of a polygon (Floater 2003; Hormann & Floater 2006 show that it is positive inside any
+// polygon) is the integral of 1 / rho over all directions, rho being the distance to the outline; 2 over it is a distance of
+// first order at the outline (Belyaev, Fayolle, Pasko 2013, "Signed Lp-distance fields").
 
 #include "growth/aggregate/smooth_distance.h"
 

@@ -11,8 +11,8 @@ namespace rinceau {
 /// The region with its outer rings counter-clockwise and its holes clockwise.
 Region oriented(Region region);
 
-/// 0 on the outline, rising as fast as the true distance there, smooth inside; at the middle of a disc 1/pi of its radius. `p`
-/// lies inside of an oriented region.
+/// 0 on the outline, rising as fast as the true distance there, smooth inside; at the middle of a disc 1/pi of its radius.
+/// `p` lies inside of an oriented region.
 double smooth_inside_distance(const Region& region, Point p);
 
 /// The true distance to the outline.

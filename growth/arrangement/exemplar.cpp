@@ -51,7 +51,8 @@ struct ChosenConnectivity {
 };
 
 /// A pattern is regular if either measure of ties makes its rings alike.
-ChosenConnectivity chosen_connectivity(std::span<const Point> positions, const ExemplarOptions& options) {
+ChosenConnectivity chosen_connectivity(std::span<const Point> positions, std::size_t originals,
+                                       const ExemplarOptions& options) {
     constexpr double regular = 0.6;  // share of like rings: lattices have 0.9 and more, scattered points 0
     ChosenConnectivity chosen;
     double best = -1;
@@ -66,7 +67,7 @@ ChosenConnectivity chosen_connectivity(std::span<const Point> positions, const E
     chosen.irregular = best < regular;
     // what was flipped by hand or merged by a given measure is meant as it is
     if (options.find_lattice && options.flips.empty() && !(options.tie > 0))
-        chosen.lattice = find_lattice(positions, chosen.connectivity.spacing);
+        chosen.lattice = find_lattice(positions, chosen.connectivity.spacing, originals);
     if (chosen.lattice) {
         chosen.connectivity = lattice_connectivity(positions, *chosen.lattice);
         chosen.irregular = false;
@@ -194,6 +195,22 @@ bool outlines_overlap(const ExemplarElement& a, const ExemplarElement& b) {
     return area(intersection_of(a.outline, moved)) > touching * std::min(area(a.outline), area(moved));
 }
 
+/// Do outlines overlap as a rule? What the picture's edge cuts does not count, nor do single ones that touch by chance.
+bool many_overlap(const std::vector<ExemplarPoint>& points, const std::vector<std::pair<int, int>>& pairs,
+                  const Exemplar& exemplar) {
+    constexpr double by_chance = 0.05;  // of the elements
+    const auto is_whole = [&](int p) { return points[static_cast<std::size_t>(p) % points.size()].whole; };
+    std::vector<bool> overlaps(points.size());
+    for (const auto& [p, q] : pairs) {
+        const std::size_t a = static_cast<std::size_t>(p) % points.size();
+        const std::size_t b = static_cast<std::size_t>(q) % points.size();
+        if ((overlaps[a] && overlaps[b]) || !is_whole(p) || !is_whole(q)) continue;
+        if (outlines_overlap(exemplar.elements[static_cast<std::size_t>(p)], exemplar.elements[static_cast<std::size_t>(q)]))
+            overlaps[a] = overlaps[b] = true;
+    }
+    return static_cast<double>(std::ranges::count(overlaps, true)) > by_chance * static_cast<double>(points.size());
+}
+
 /// Is the point among the faces, by the edges of the rim that lie to the right of it?
 bool among_faces(Point at, std::span<const Point> positions, const Connectivity& connectivity) {
     bool inside = false;
@@ -238,10 +255,7 @@ void add_figures(const std::vector<ExemplarPoint>& points, std::span<const Point
     constexpr double near = 3;  // mean edges: beyond, distances say nothing about who keeps away from whom
     const auto pairs = near_pairs(exemplar, KdTree(positions), near * exemplar.mean_edge);
     add_min_distances(pairs, exemplar);
-    exemplar.outlines_overlap = std::ranges::any_of(pairs, [&](const auto& pair) {
-        return outlines_overlap(exemplar.elements[static_cast<std::size_t>(pair.first)],
-                                exemplar.elements[static_cast<std::size_t>(pair.second)]);
-    });
+    exemplar.outlines_overlap = many_overlap(points, pairs, exemplar);
 }
 
 void check_usable(const Exemplar& exemplar, const std::string& label) {
@@ -264,7 +278,7 @@ Exemplar make_exemplar(const std::vector<ExemplarPoint>& points, const std::vect
                        const ExemplarOptions& options, const std::string& label) {
     check_positions(points, options, label);
     const std::vector<Point> positions = tiled_positions(points, options.tile);
-    ChosenConnectivity chosen = chosen_connectivity(positions, options);
+    ChosenConnectivity chosen = chosen_connectivity(positions, points.size(), options);
     if (chosen.connectivity.faces.empty())
         fail(label, "the elements stand in one line or in one place; an exemplar needs neighbours on all sides");
     for (const auto& flip : options.flips)

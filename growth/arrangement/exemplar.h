@@ -60,7 +60,7 @@ struct Exemplar {
         min_distance;               ///< of centres, per pair of symbols; infinite if a pair was never seen near
     double density = 0;             ///< elements per unit of area
     double largest_empty = 0;       ///< radius of the largest circle without a centre in the inside of the exemplar
-    bool outlines_overlap = false;  ///< some outlines of the exemplar cross: then grown ones may, too
+    bool outlines_overlap = false;  ///< more than a few outlines of the exemplar cross: then grown ones may, too
     bool irregular = true;          ///< false: a lattice, or rings so alike that no finish is needed
     std::optional<ExemplarLattice> lattice;
 };

@@ -24,8 +24,8 @@ struct PointLattice {
 
 /// The lattice, if there is one without doubt: nearly every point has a place of its own, within a share of a step that
 /// chance does not give, hardly any place inside is empty, and there are three columns and rows at least. `spacing` is that
-/// of the points' connectivity.
-std::optional<PointLattice> find_lattice(std::span<const Point> points, double spacing);
+/// of the points' connectivity; `free` is how many points chose their places, the others being copies of them.
+std::optional<PointLattice> find_lattice(std::span<const Point> points, double spacing, std::size_t free);
 
 /// Neighbours by columns and rows instead of by distances.
 Connectivity lattice_connectivity(std::span<const Point> points, const PointLattice& lattice);

@@ -77,7 +77,7 @@ struct TileTwin {
 
 struct TileTwins {
     std::vector<TileTwin> twins;
-    std::size_t overhanging = 0;  ///< times that an instance reaches over an edge ..
+    std::size_t overhanging = 0;  ///< times that an instance reaches over an edge, or to it with a twin ..
     std::size_t continued = 0;    ///< .. and goes on at the opposite one
 };
 
@@ -91,6 +91,9 @@ class TwinSearch {
         contacts_.resize(drawing.instances.size());
         for (std::size_t i = 0; i < contacts_.size(); ++i)
             for (const TileEdge& edge : edges_) contacts_[i].push_back(edge_contact(outlines_[i], edge, band_));
+        for (std::size_t i = 0; i < contacts_.size(); ++i)
+            if (std::ranges::none_of(contacts_[i], [](const auto& contact) { return contact.has_value(); }))
+                largest_inside_ = std::max(largest_inside_, diagonal(bounds(outlines_[i])));
     }
 
     TileTwins twins() const {
@@ -102,8 +105,8 @@ class TwinSearch {
                 const auto twin = twin_across(i, e);
                 if (twin) result.twins.push_back(*twin);
                 constexpr double clearly = 0.02;  // of the radius
-                if (contact->overhang < clearly * radius_of(drawing_, drawing_.instances[static_cast<std::size_t>(i)]))
-                    continue;
+                const double radius = radius_of(drawing_, drawing_.instances[static_cast<std::size_t>(i)]);
+                if (contact->overhang < clearly * radius && !twin) continue;  // it only touches the edge
                 ++result.overhanging;
                 result.continued += twin ? 1 : 0;
             }
@@ -149,12 +152,20 @@ class TwinSearch {
             if (!there || static_cast<int>(j) == i) continue;
             const double common = std::min(here.high, there->high) - std::max(here.low, there->low);
             const double longer = std::max(here.high - here.low, there->high - there->low);
-            if (longer > 0 && common / longer > best_share) {
+            if (longer > 0 && common / longer > best_share && makes_usual_size(i, static_cast<int>(j), edge)) {
                 best_share = common / longer;
                 best = static_cast<int>(j);
             }
         }
         return best;
+    }
+
+    /// Two pieces make an element like the others; two whole ones that end at the edges make one that is too large.
+    bool makes_usual_size(int i, int j, std::size_t edge) const {
+        constexpr double slack = 1.15;
+        Box other = bounds(outlines_[static_cast<std::size_t>(j)]);
+        other = {other.low - edges_[edge].across, other.high - edges_[edge].across};
+        return diagonal(including(bounds(outlines_[static_cast<std::size_t>(i)]), other)) <= slack * largest_inside_;
     }
 
     const FiguredDrawing& drawing_;
@@ -164,6 +175,7 @@ class TwinSearch {
     double band_ = 0;
     std::vector<Region> outlines_;
     std::vector<std::vector<std::optional<EdgeContact>>> contacts_;
+    double largest_inside_ = 0;  ///< diagonal of the largest element that meets no edge
 };
 
 double into(double value, double low, double size) { return value - size * std::floor((value - low) / size); }

@@ -40,8 +40,8 @@ VertexList vertices_of(const TriangleMesh& mesh) {
             const std::array<float, 3> normal{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
             const auto [place, is_new] = known.try_emplace({v, normal}, static_cast<std::uint32_t>(list.vertices.size()));
             if (is_new)
-                list.vertices.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), normal[0],
-                                         normal[1], normal[2]});
+                list.vertices.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
+                                         normal[0], normal[1], normal[2]});
             list.indices.push_back(place->second);
         }
     return list;

@@ -73,7 +73,8 @@ void draw(const SeenTriangle& triangle, Canvas& canvas) {
                 static_cast<std::size_t>(row) * static_cast<std::size_t>(canvas.width) + static_cast<std::size_t>(column);
             if (z <= canvas.depth[i]) continue;
             canvas.depth[i] = z;
-            canvas.light[i] = shaded(triangle.color, u * triangle.normals[0] + v * triangle.normals[1] + w * triangle.normals[2]);
+            canvas.light[i] =
+                shaded(triangle.color, u * triangle.normals[0] + v * triangle.normals[1] + w * triangle.normals[2]);
         }
 }
 
@@ -107,8 +108,9 @@ Picture averaged(const Canvas& canvas) {
                 double sum = 0;
                 for (int i = 0; i < samples * samples; ++i) {
                     const int y = samples * row + i / samples, x = samples * column + i % samples;
-                    sum += static_cast<double>(canvas.light[static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.width) +
-                                                            static_cast<std::size_t>(x)][channel]);
+                    sum += static_cast<double>(
+                        canvas.light[static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.width) +
+                                     static_cast<std::size_t>(x)][channel]);
                 }
                 picture.rgb.push_back(static_cast<std::uint8_t>(std::lround(sum / (samples * samples))));
             }
@@ -127,7 +129,8 @@ Picture mesh_picture(const MeshAssembly& assembly, UpAxis up, const MeshView& vi
     const double scale = samples * view.width / width(box);
     const double rows = std::max(1.0, std::round(view.width * height(box) / width(box)));
     constexpr double most_pixels = 64e6;
-    if (rows * view.width > most_pixels) throw LimitError({}, "the picture has more than 64 million pixels; make it smaller");
+    if (rows * view.width > most_pixels)
+        throw LimitError({}, "the picture has more than 64 million pixels; make it smaller");
 
     Canvas canvas{samples * view.width, samples * static_cast<int>(rows), {}, {}};
     const std::size_t count = static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);

@@ -7,8 +7,9 @@
 namespace rinceau {
 
 struct MeshView {
-    double elevation = 1.05;  ///< radians that the eye stands above the ground's horizon, in front; pi/2 = straight from above
-    int width = 900;          ///< pixels; the height follows from what is seen
+    double elevation =
+        1.05;         ///< radians that the eye stands above the ground's horizon, in front; pi/2 = straight from above
+    int width = 900;  ///< pixels; the height follows from what is seen
 };
 
 /// The assembly over white, parallel projection, as large as fits; light from the upper left. At least one instance. Throws

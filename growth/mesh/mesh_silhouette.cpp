@@ -60,7 +60,8 @@ std::vector<Paths> seen_from_above(const TriangleMesh& mesh, UpAxis up, const Gr
     parts.reserve(mesh.triangles.size());
     for (const auto& triangle : mesh.triangles) {
         ClipperLib::Path path;
-        for (const int v : triangle) path.push_back(grid.to_grid(ground_point(mesh.positions[static_cast<std::size_t>(v)], up)));
+        for (const int v : triangle)
+            path.push_back(grid.to_grid(ground_point(mesh.positions[static_cast<std::size_t>(v)], up)));
         const double area = ClipperLib::Area(path);
         if (area == 0) continue;  // seen edge on
         if (area < 0) ClipperLib::ReversePath(path);

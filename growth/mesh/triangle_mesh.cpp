@@ -8,7 +8,9 @@ namespace {
 
 /// Twice the area long.
 SpacePoint area_normal(const TriangleMesh& mesh, const std::array<int, 3>& triangle) {
-    const auto corner = [&](int k) { return mesh.positions[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])]; };
+    const auto corner = [&](int k) {
+        return mesh.positions[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
+    };
     return cross(corner(1) - corner(0), corner(2) - corner(0));
 }
 

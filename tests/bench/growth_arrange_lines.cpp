@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/angle.h"
 #include "growth/arrangement/boundary.h"
+#include "growth/flow_field.h"
 #include "growth/measure/measure_arrangement.h"
+#include "growth/measure/outline_overlaps.h"
 #include "growth_bench.h"
 
 namespace rinceau::test {
@@ -25,10 +28,19 @@ Grown grown(const Exemplar& exemplar, std::size_t count, const ArrangeOptions& o
     return {std::move(arrangement), processor_seconds(begin)};
 }
 
-void overlap_lines(GrowthLines& lines, const Exemplar& exemplar, const ArrangementMeasures& measures) {
+void overlap_lines(GrowthLines& lines, const Exemplar& exemplar, const ElementArrangement& arrangement,
+                   const ArrangementMeasures& measures) {
     const auto overlaps = static_cast<double>(measures.overlaps), near = static_cast<double>(measures.too_near);
     if (exemplar.outlines_overlap) {
-        lines.say("overlaps (the exemplar has some)", overlaps);
+        std::vector<PlacedOutline> outlines;
+        for (const ExemplarElement& element : exemplar.elements)
+            outlines.push_back({&element.outline, translate(element.position)});
+        // Of neighbours: elements at a rim have fewer.
+        const auto of_edges = [](double count, double edges) { return edges > 0 ? count / edges : 0; };
+        const auto pairs = static_cast<double>(overlapping_pairs(outlines, 1e-3).size());
+        lines.at_most("overlaps a pair of neighbours",
+                      of_edges(overlaps, static_cast<double>(arranged_edges(arrangement).size())),
+                      1.1 * of_edges(pairs, static_cast<double>(exemplar.edges.size())));
     } else {
         lines.at_most("overlaps", overlaps, 0);
     }
@@ -77,7 +89,7 @@ void case_lines(GrowthLines& lines, const ExemplarCase& one, std::size_t count, 
     lines.between("elements", static_cast<double>(measures.elements), 0.97 * static_cast<double>(count),
                   1.03 * static_cast<double>(count));
     lines.say("seconds", result.seconds);
-    overlap_lines(lines, exemplar, measures);
+    overlap_lines(lines, exemplar, result.arrangement, measures);
     if (one.demand == Demand::exact) exact_lines(lines, measures);
     if (one.demand == Demand::jittered) jittered_lines(lines, exemplar, measures);
     if (one.demand == Demand::irregular) irregular_lines(lines, measures);
@@ -98,9 +110,47 @@ void region_lines(GrowthLines& lines, const ExemplarCase& one, const GrowthPictu
     lines.say("elements", static_cast<double>(measures.elements));
     lines.say("seconds", result.seconds);
     lines.at_most("outlines over a line or the rim", static_cast<double>(measures.over_boundary), 0);
-    overlap_lines(lines, exemplar, measures);
+    overlap_lines(lines, exemplar, result.arrangement, measures);
     lines.between("density, ratio", measures.density, 0.85, 1.1);
     lines.at_most("largest empty circle, ratio", measures.empty_circle, one.demand == Demand::irregular ? 1.15 : 1.1);
+}
+
+/// Rings that turn: an irregular exemplar stays what it is, a lattice has no reason to turn.
+void rotate_lines(GrowthLines& lines, const ExemplarCase& one, const GrowthPictures& pictures) {
+    lines.begin("arrangement: " + one.name + ", rings turn to fit, 1,000 elements");
+    const Exemplar& exemplar = *one.exemplar;
+    const Grown result = grown(exemplar, 1000, {.mode = RotationMode::rotate});
+    const ArrangementMeasures measures = measure_arrangement(exemplar, result.arrangement);
+    pictures.draw(one.name + " rotate", exemplar, result.arrangement);
+    lines.say("seconds", result.seconds);
+    overlap_lines(lines, exemplar, result.arrangement, measures);
+    if (one.demand == Demand::exact) {
+        exact_lines(lines, measures);
+    } else {
+        irregular_lines(lines, measures);
+    }
+}
+
+/// A flow that turns about a point outside of what grows: no singular point, but a field that bends.
+void flow_lines(GrowthLines& lines, const ExemplarCase& one, const GrowthPictures& pictures) {
+    lines.begin("arrangement: " + one.name + ", along a bent flow, 1,000 elements");
+    const Exemplar& exemplar = *one.exemplar;
+    const double l = exemplar.mean_edge;
+    Polyline arc;
+    for (int k = 0; k <= 40; ++k) arc.push_back(Point{0, -60 * l} + polar(60 * l, (0.75 - 0.5 * k / 40) * pi));
+    const Box box{{-25 * l, -25 * l}, {25 * l, 25 * l}};
+    const ArrangeSurroundings around{
+        std::make_shared<FlowField>(make_flow_field(std::vector<Polyline>{arc}, box, {.step = 0.5 * l}, one.name)), nullptr};
+    const Grown result = grown(exemplar, 1000, {.mode = RotationMode::flow}, around);
+    const ArrangementMeasures measures = measure_arrangement(exemplar, result.arrangement, around);
+    pictures.draw(one.name + " flow", exemplar, result.arrangement);
+    lines.say("seconds", result.seconds);
+    lines.at_most("overlaps", static_cast<double>(exemplar.outlines_overlap ? 0 : measures.overlaps), 0);
+    lines.say("right degrees", measures.right_degrees);
+    lines.say("spacing error, rms", measures.spacing_error);
+    lines.say("defects an element", measures.defects);
+    lines.between("density, ratio", measures.density, 0.9, 1.1);
+    lines.at_most("largest empty circle, ratio", measures.empty_circle, 1.5);
 }
 
 /// Least of three runs.
@@ -159,6 +209,19 @@ void arrangement_region_lines(GrowthLines& lines, const std::vector<ExemplarCase
         if (!one.exemplar || one.name.find(only) == std::string::npos) continue;
         try {
             region_lines(lines, one, pictures);
+        } catch (const std::exception& error) {
+            lines.failed(error.what());
+        }
+    }
+}
+
+void arrangement_mode_lines(GrowthLines& lines, const std::vector<ExemplarCase>& cases, const std::string& only,
+                            const GrowthPictures& pictures) {
+    for (const ExemplarCase& one : cases) {
+        if (!one.exemplar || one.name.find(only) == std::string::npos) continue;
+        try {
+            rotate_lines(lines, one, pictures);
+            flow_lines(lines, one, pictures);
         } catch (const std::exception& error) {
             lines.failed(error.what());
         }

@@ -108,13 +108,16 @@ int main(int count, char** values) {
     GrowthLines lines(options.csv);
     const std::vector<ExemplarCase> lattices = lattice_cases(), strewn = strewn_cases();
     std::vector<ExemplarCase> regions{lattices[0], lattices[5], lattices[4], strewn[0], strewn[2]};
+    std::vector<ExemplarCase> modes{lattices[0], lattices[5], strewn[0], strewn[2]};
     std::vector<ExemplarCase> speeds{lattices[0], lattices[8], strewn[0], strewn[2]};
     std::vector<ExemplarCase> all = lattices;
     append(all, strewn);
+    append(all, sample_cases(options.only));
     append(all, drawn_cases(options.corpus + "/arrangement", false, options.only));
     append(all, drawn_cases(options.corpus + "/arrangement", true, options.only));
     arrangement_lines(lines, all, options.only, options.pictures);
     arrangement_region_lines(lines, regions, options.only, options.pictures);
+    arrangement_mode_lines(lines, modes, options.only, options.pictures);
     if (options.speed) arrangement_speed_lines(lines, speeds, options.only);
 
     constexpr double shapes = 224;

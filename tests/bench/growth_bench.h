@@ -23,6 +23,9 @@ void arrangement_lines(GrowthLines& lines, const std::vector<ExemplarCase>& case
                        const GrowthPictures& pictures);
 void arrangement_region_lines(GrowthLines& lines, const std::vector<ExemplarCase>& cases, const std::string& only,
                               const GrowthPictures& pictures);
+/// Rings that turn to fit, and rings along a round flow.
+void arrangement_mode_lines(GrowthLines& lines, const std::vector<ExemplarCase>& cases, const std::string& only,
+                            const GrowthPictures& pictures);
 void arrangement_speed_lines(GrowthLines& lines, const std::vector<ExemplarCase>& cases, const std::string& only);
 
 void aggregate_lines(GrowthLines& lines, const std::vector<ShapeCase>& cases, const std::string& only,

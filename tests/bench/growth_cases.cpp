@@ -111,6 +111,21 @@ FiguredDrawing figured(const fs::path& file) {
     return figures_of(analyze(drawing.scene).grammar);
 }
 
+ExemplarCase drawn(const fs::path& file, const std::string& name, bool tiled) {
+    ExemplarCase one{name, Demand::irregular, {}, {}};
+    try {
+        FiguredDrawing drawing = figured(file);
+        ExemplarOptions options;
+        if (tiled) options.tile = drawing.grammar.canvas;
+        if (tiled) drawing = as_tile(std::move(drawing), *options.tile);
+        one.exemplar = make_exemplar(drawing, options, file.filename().string());
+        if (!one.exemplar->irregular) one.demand = Demand::jittered;
+    } catch (const std::exception& error) {
+        one.fault = error.what();
+    }
+    return one;
+}
+
 struct ShapePlan {
     std::string name;
     std::vector<std::string> files;
@@ -162,19 +177,17 @@ std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, con
     std::vector<ExemplarCase> cases;
     for (const fs::path& file : files) {
         const std::string name = file.stem().string() + (tiled ? ", tiled" : "");
+        if (name.find(only) != std::string::npos) cases.push_back(drawn(file, name, tiled));
+    }
+    return cases;
+}
+
+std::vector<ExemplarCase> sample_cases(const std::string& only) {
+    std::vector<ExemplarCase> cases;
+    for (const std::string file : {"blocks", "bricks", "dots", "feathers", "rows", "scales", "stones"}) {
+        const std::string name = "sample " + file;
         if (name.find(only) == std::string::npos) continue;
-        ExemplarCase& one = cases.emplace_back();
-        one.name = name;
-        try {
-            FiguredDrawing drawing = figured(file);
-            ExemplarOptions options;
-            if (tiled) options.tile = drawing.grammar.canvas;
-            if (tiled) drawing = as_tile(std::move(drawing), *options.tile);
-            one.exemplar = make_exemplar(drawing, options, file.filename().string());
-            if (!one.exemplar->irregular) one.demand = Demand::jittered;
-        } catch (const std::exception& error) {
-            one.fault = error.what();
-        }
+        cases.push_back(drawn(fs::path(RINCEAU_SAMPLES) / "growth" / (file + ".svg"), name, false));
     }
     return cases;
 }

@@ -32,6 +32,9 @@ std::vector<ExemplarCase> strewn_cases();
 /// `tiled`.
 std::vector<ExemplarCase> drawn_cases(const std::string& folder, bool tiled, const std::string& only);
 
+/// Our own exemplars, samples/growth.
+std::vector<ExemplarCase> sample_cases(const std::string& only);
+
 struct ShapeCase {
     std::string name;
     std::vector<ExclusiveRegion> regions;  ///< of silhouettes whose circle has radius 1

@@ -38,8 +38,9 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 TEST_CASE("Trees are packed into a picture, a grammar that draws the same, placements and a report that agree") {
     const ScratchFolder scratch;
     const auto into = [&](const std::string& name) {
-        return Words{growth_sample("trees.svg"), "--size",   "300,200",           "--scale",  "0.2,0.6",
-                     "-o",                       scratch.file(name), "--report", scratch.file("report.json"), "--seed", "4"};
+        return Words{
+            growth_sample("trees.svg"),  "--size", "300,200", "--scale", "0.2,0.6", "-o", scratch.file(name), "--report",
+            scratch.file("report.json"), "--seed", "4"};
     };
     REQUIRE(pack(into("out.svg")).status == 0);
     const Json report = Json::parse(read_file(scratch.file("report.json")));
@@ -82,8 +83,9 @@ TEST_CASE("The same command packs the same bytes, at any number of threads; anot
 
 TEST_CASE("Several drawings are a shape each, with their own paint and names") {
     const ScratchFolder scratch;
-    const ProgramRun run = pack({growth_sample("toy_plane.svg"), growth_sample("toy_dinosaur.svg"), "--size", "400,300", "--scale",
-                                 "0.5", "--shares", "toy_plane=3", "--share-tolerance", "0", "--report", scratch.file("r.json")});
+    const ProgramRun run =
+        pack({growth_sample("toy_plane.svg"), growth_sample("toy_dinosaur.svg"), "--size", "400,300", "--scale", "0.5",
+              "--shares", "toy_plane=3", "--share-tolerance", "0", "--report", scratch.file("r.json")});
     REQUIRE(run.status == 0);
     CHECK(run.out.find("#d9573f") != std::string::npos);
     CHECK(run.out.find("#5c9e6e") != std::string::npos);
@@ -113,7 +115,8 @@ TEST_CASE("Meshes are packed on the ground, as one mesh or as instances") {
     CHECK(glb.size() < obj.size());
     std::smatch vertex;
     double low = 1e9, far = 0;
-    for (std::string rest = obj.substr(0, 20000); std::regex_search(rest, vertex, std::regex("v (\\S+) (\\S+) (\\S+)\n")); rest = vertex.suffix()) {
+    for (std::string rest = obj.substr(0, 20000); std::regex_search(rest, vertex, std::regex("v (\\S+) (\\S+) (\\S+)\n"));
+         rest = vertex.suffix()) {
         low = std::min(low, std::stod(vertex[2]));
         far = std::max(far, std::abs(std::stod(vertex[1])));
     }
@@ -123,9 +126,9 @@ TEST_CASE("Meshes are packed on the ground, as one mesh or as instances") {
 
 TEST_CASE("Aggregates keep to regions with holes, to circles about shapes, and to reliefs") {
     const ScratchFolder scratch;
-    const ProgramRun pond = pack({growth_sample("leather.svg"), "--region", growth_sample("pond.svg"), "--scale", "0.7", "-o",
-                                  scratch.file("pond.json"), "--height-map", scratch.file("h.png"), "--shaded", scratch.file("s.png"),
-                                  "--width", "200"});
+    const ProgramRun pond = pack({growth_sample("leather.svg"), "--region", growth_sample("pond.svg"), "--scale", "0.7",
+                                  "-o", scratch.file("pond.json"), "--height-map", scratch.file("h.png"), "--shaded",
+                                  scratch.file("s.png"), "--width", "200"});
     REQUIRE(pond.status == 0);
     const Json placements = Json::parse(read_file(scratch.file("pond.json")));
     for (const Json& placed : placements["placements"]) {
@@ -146,8 +149,8 @@ TEST_CASE("Aggregates keep to regions with holes, to circles about shapes, and t
 
 TEST_CASE("--seconds writes what stands by then, with status 3") {
     const ScratchFolder scratch;
-    const ProgramRun run = pack({growth_sample("leather.svg"), "--size", "4000,4000", "--scale", "0.2", "--method", "naive", "--stop",
-                                 "1000000000", "--seconds", "0.2", "-o", scratch.file("part.json")});
+    const ProgramRun run = pack({growth_sample("leather.svg"), "--size", "4000,4000", "--scale", "0.2", "--method", "naive",
+                                 "--stop", "1000000000", "--seconds", "0.2", "-o", scratch.file("part.json")});
     CHECK(run.status == 3);
     CHECK(run.err.find("--seconds") != std::string::npos);
     CHECK(Json::parse(read_file(scratch.file("part.json")))["placements"].size() > 10);
@@ -201,7 +204,8 @@ TEST_CASE("Bad input of pack: one clear message, the right status, nothing writt
         CHECK(run.out.empty());
         CHECK_FALSE(std::filesystem::exists(output));
     }
-    const ProgramRun meshes = pack({square, "--size", "100,100", "--meshes", flat + "," + flat, "-o", scratch.file("o.glb")});
+    const ProgramRun meshes =
+        pack({square, "--size", "100,100", "--meshes", flat + "," + flat, "-o", scratch.file("o.glb")});
     CHECK(meshes.status == 1);
     CHECK(meshes.err.find("expected a mesh for each of the 1 shapes, found 2") != std::string::npos);
     CHECK(pack({square, "--size", "100,100", "-o", scratch.file("o.glb")}).status == 2);

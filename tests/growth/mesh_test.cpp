@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include <catch2/catch.hpp>
 #include <tiny_gltf.h>
+#include <catch2/catch.hpp>
 
 #include "geometry/angle.h"
 #include "growth/mesh/mesh_glb_write.h"
@@ -100,7 +100,8 @@ TEST_CASE("A written OBJ reads back as all its instances where they stand") {
     const TriangleMesh again = read_obj(obj_text({.meshes = {{"all", mesh}}, .instances = {{0, {}}}}));
     REQUIRE(again.positions.size() == mesh.positions.size());
     double worst = 0;
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) worst = std::max(worst, abs(again.positions[i] - mesh.positions[i]));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        worst = std::max(worst, abs(again.positions[i] - mesh.positions[i]));
     CHECK(worst < 1e-13);
 }
 
@@ -116,7 +117,13 @@ TEST_CASE("A broken OBJ is refused with its line") {
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "bad.obj:4: expected the number of a vertex, found '0'"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "bad.obj:4: expected a face of at least three corners, found 2"},
         {"v 0 0 0\nf 1 1 1" + std::string(400, '1') + "\n", "bad.obj:2: expected the number of a vertex"},
-        {"v 0 0 0\nf " + [] { std::string many; for (int i = 0; i < 101; ++i) many += "1 "; return many; }() + "\n",
+        {"v 0 0 0\nf " +
+             [] {
+                 std::string many;
+                 for (int i = 0; i < 101; ++i) many += "1 ";
+                 return many;
+             }() +
+             "\n",
          "bad.obj:2: more than 100 corners in a face"}};
     for (const auto& [text, message] : bad) {
         CAPTURE(text, message);
@@ -124,7 +131,8 @@ TEST_CASE("A broken OBJ is refused with its line") {
     }
 }
 
-TEST_CASE("A GLB holds each mesh once and a node for each instance; the library reads it, and its numbers are the instances'") {
+TEST_CASE(
+    "A GLB holds each mesh once and a node for each instance; the library reads it, and its numbers are the instances'") {
     const MeshAssembly assembly = three_boxes();
     const tinygltf::Model model = read_glb(glb_bytes(assembly));
     REQUIRE(model.meshes.size() == 2);
@@ -143,9 +151,11 @@ TEST_CASE("A GLB holds each mesh once and a node for each instance; the library 
     CHECK(indices.size() == 36);
     CHECK(*std::ranges::max_element(indices) == 23);
     TriangleMesh mesh;
-    for (std::size_t i = 0; i < positions.size(); i += 3) mesh.positions.push_back({positions[i], positions[i + 1], positions[i + 2]});
+    for (std::size_t i = 0; i < positions.size(); i += 3)
+        mesh.positions.push_back({positions[i], positions[i + 1], positions[i + 2]});
     for (std::size_t i = 0; i < indices.size(); i += 3)
-        mesh.triangles.push_back({static_cast<int>(indices[i]), static_cast<int>(indices[i + 1]), static_cast<int>(indices[i + 2])});
+        mesh.triangles.push_back(
+            {static_cast<int>(indices[i]), static_cast<int>(indices[i + 1]), static_cast<int>(indices[i + 2])});
     CHECK(volume(mesh) == Approx(6));
     const std::vector<SpacePoint> flat = triangle_normals(mesh);
     for (std::size_t t = 0; t < flat.size(); ++t) {
@@ -187,7 +197,8 @@ TEST_CASE("From above a mesh covers its silhouette: towers, overhangs and holes"
         return mesh;
     };
     TriangleMesh all;
-    for (const TriangleMesh& part : {board(0, 10, 4, 6, 0), board(4, 6, 0, 10, 1), board(0, 2, 4, 5, 3), board(0, 10, 0, 1, 2)}) {
+    for (const TriangleMesh& part :
+         {board(0, 10, 4, 6, 0), board(4, 6, 0, 10, 1), board(0, 2, 4, 5, 3), board(0, 10, 0, 1, 2)}) {
         const int first = static_cast<int>(all.positions.size());
         all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
         for (const auto& t : part.triangles) all.triangles.push_back({first + t[0], first + t[1], first + t[2]});

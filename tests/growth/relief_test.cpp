@@ -44,7 +44,8 @@ Region circle(double radius) {
 }
 
 double at(const HeightMap& map, int column, int row) {
-    return map.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column)];
+    return map
+        .heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column)];
 }
 
 }  // namespace
@@ -98,11 +99,11 @@ TEST_CASE("A relief rises over its shapes and sinks between them") {
     const HeightMap map = height_map({circle(20)}, {}, placed, domain, {.columns = 200, .depth = 0.4});
     REQUIRE(map.rows == 100);
     CHECK(map.rise == Approx(20 / pi).epsilon(0.01));
-    CHECK(at(map, 50, 50) == Approx(1).epsilon(1e-3));       // the middle of the large one
-    CHECK(at(map, 150, 50) < at(map, 50, 50));               // a small one is as steep, and lower
+    CHECK(at(map, 50, 50) == Approx(1).epsilon(1e-3));  // the middle of the large one
+    CHECK(at(map, 150, 50) < at(map, 50, 50));          // a small one is as steep, and lower
     CHECK(at(map, 150, 50) > 0.4);
-    CHECK(at(map, 0, 0) == 0);                               // far from both
-    CHECK(at(map, 90, 50) == Approx(0.4).margin(0.02));      // near an edge both sides meet
+    CHECK(at(map, 0, 0) == 0);                           // far from both
+    CHECK(at(map, 90, 50) == Approx(0.4).margin(0.02));  // near an edge both sides meet
     CHECK(at(map, 88, 50) > at(map, 92, 50));
     // Sulci of their own lower what they lie on, and nothing else.
     const HeightMap sunk = height_map({circle(20)}, {circle(5)}, placed, domain, {.columns = 200, .depth = 0.4});

@@ -1,4 +1,4 @@
-#include "cli/connectivity_picture.h"
+#include "cli/edges_picture.h"
 
 #include <algorithm>
 
@@ -30,16 +30,16 @@ std::string opening(const Box& canvas) {
 
 }  // namespace
 
-std::string connectivity_svg(const std::vector<ConnectivityNode>& nodes, const std::vector<std::pair<int, int>>& edges,
-                             const Box& canvas) {
+std::string edges_svg(const std::vector<PicturedNode>& nodes, const std::vector<std::pair<int, int>>& edges,
+                      const Box& canvas) {
     double total = 0;
     for (const auto& [a, b] : edges)
         total += abs(nodes[static_cast<std::size_t>(a)].position - nodes[static_cast<std::size_t>(b)].position);
     const double edge = edges.empty() ? diagonal(canvas) : total / static_cast<double>(edges.size());
-    constexpr double line_share = 0.04, dot_share = 0.07, text_share = 0.3;  // of a mean edge
+    constexpr double line_share = 0.04, dot_share = 0.07;  // of a mean edge
 
     std::string svg = opening(canvas) + "<g fill=\"#d9d9d9\" fill-rule=\"evenodd\">\n";
-    for (const ConnectivityNode& node : nodes) {
+    for (const PicturedNode& node : nodes) {
         if (!node.outline.empty()) svg += "<path d=\"" + path_of(node.outline) + "\"/>\n";
     }
     svg += "</g>\n<path fill=\"none\" stroke=\"#1f4e9c\" stroke-linecap=\"round\" stroke-width=\"" +
@@ -47,30 +47,11 @@ std::string connectivity_svg(const std::vector<ConnectivityNode>& nodes, const s
     for (const auto& [a, b] : edges)
         svg += "M" + place(nodes[static_cast<std::size_t>(a)].position) + "L" +
                place(nodes[static_cast<std::size_t>(b)].position);
-    svg += "\"/>\n<g font-family=\"sans-serif\" font-size=\"" + number(text_share * edge) + "\">\n";
-    for (const ConnectivityNode& node : nodes) {
-        const std::string radius = number(dot_share * edge);
-        svg += "<circle cx=\"" + number(node.position.x) + "\" cy=\"" + number(-node.position.y) + "\" r=\"" + radius +
-               (node.marked ? "\" fill=\"#c0392b\"/>\n" : "\" fill=\"#1f4e9c\"/>\n");
-        if (!node.name.empty())
-            svg += "<text x=\"" + number(node.position.x + dot_share * edge) + "\" y=\"" +
-                   number(-node.position.y - dot_share * edge) + "\">" + node.name + "</text>\n";
-    }
+    svg += "\"/>\n<g fill=\"#1f4e9c\">\n";
+    for (const PicturedNode& node : nodes)
+        svg += "<circle cx=\"" + number(node.position.x) + "\" cy=\"" + number(-node.position.y) + "\" r=\"" +
+               number(dot_share * edge) + "\"/>\n";
     return svg + "</g>\n</svg>\n";
-}
-
-std::string numbering_svg(const Exemplar& exemplar, const Box& canvas) {
-    std::vector<ConnectivityNode> nodes;
-    for (std::size_t i = 0; i < exemplar.elements.size(); ++i) {
-        const ExemplarElement& element = exemplar.elements[i];
-        ConnectivityNode node{.position = element.position, .outline = element.outline, .marked = !element.usable};
-        for (std::vector<Point>& ring : node.outline) {
-            for (Point& p : ring) p += element.position;
-        }
-        if (i < exemplar.originals) node.name = std::to_string(i + 1);
-        nodes.push_back(std::move(node));
-    }
-    return connectivity_svg(nodes, exemplar.edges, canvas);
 }
 
 }  // namespace rinceau
