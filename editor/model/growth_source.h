@@ -2,6 +2,7 @@
 // The document as growth takes it: figures, and the exemplar of an arrangement.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "editor/model/source_question.h"
@@ -14,6 +15,7 @@ namespace rinceau {
 struct GrowthSource {
     SourceQuestion question;
     std::shared_ptr<const FiguredDrawing> drawing;  ///< null: `mistake` says why
+    std::optional<Box> tile;                        ///< the drawing repeats with this box, and has each element once
     std::shared_ptr<const Exemplar> exemplar;       ///< null: `mistake` says why; the figures may still be packed
     std::string mistake;
 };

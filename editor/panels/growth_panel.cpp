@@ -164,8 +164,8 @@ void source_facts(GrowthForm& form) {
     if (needs_exemplar ? source->exemplar != nullptr : source->drawing != nullptr) {
         const std::size_t kinds = needs_exemplar ? source->exemplar->symbols.size() : source->drawing->figures.size();
         const std::size_t elements = source->drawing->instances.size();
-        ImGui::TextDisabled("%zu %s of %zu %s", elements, elements == 1 ? "element" : "elements", kinds,
-                            kinds == 1 ? "kind" : "kinds");
+        ImGui::TextDisabled("%zu %s of %zu %s%s", elements, elements == 1 ? "element" : "elements", kinds,
+                            kinds == 1 ? "kind" : "kinds", source->tile ? ", a tile" : "");
     } else {
         ImGui::TextWrapped("%s", source->mistake.c_str());
     }
