@@ -65,8 +65,9 @@ std::shared_ptr<const GrowthSource> row_source(const SourceQuestion& question) {
         exemplar.elements.push_back({.position = at, .radius = 3});
         if (i > 0) exemplar.edges.push_back({i - 1, i});
     }
-    return std::make_shared<const GrowthSource>(GrowthSource{
-        question, std::make_shared<const FiguredDrawing>(drawing), std::make_shared<const Exemplar>(exemplar), {}});
+    return std::make_shared<const GrowthSource>(GrowthSource{.question = question,
+                                                             .drawing = std::make_shared<const FiguredDrawing>(drawing),
+                                                             .exemplar = std::make_shared<const Exemplar>(exemplar)});
 }
 
 std::shared_ptr<const GrownPattern> two_dots(const std::shared_ptr<const GrowthSource>& source) {
