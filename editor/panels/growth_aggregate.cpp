@@ -8,7 +8,6 @@
 
 #include "editor/model/growth_source.h"
 #include "editor/model/growth_view.h"
-#include "editor/model/tool_view.h"
 #include "editor/panels/growth_parts.h"
 
 namespace rinceau {

@@ -57,8 +57,8 @@ void GrowthForm::text(const char* label, std::string& value, const char* help) {
 
 void GrowthForm::choice(const char* label, int& value, const std::vector<const char*>& labels, const char* help) {
     const bool open = ImGui::BeginCombo(label, labels[static_cast<std::size_t>(value)]);
-    look(label, false, help);
-    if (!open) return;
+    note_place(tools_, std::string("growth/") + label);
+    if (!open) return tooltip(help);
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
         const char* one = labels[static_cast<std::size_t>(i)];
         if (ImGui::Selectable(one, i == value)) {
