@@ -3,6 +3,7 @@
 
 usage: scripts/draw_editor.py RINCEAU-EDITOR [FOLDER]      (FOLDER: docs/images/editor)
 """
+import math
 import pathlib
 import shutil
 import sys
@@ -49,6 +50,55 @@ def panels(editor, folder):
     editor.keys('ctrl+t')
 
 
+def on_canvas(editor, x, y):
+    """A point by shares of the canvas."""
+    place = editor.places()['canvas']
+    return (place['left'] + x * (place['right'] - place['left']), place['top'] + y * (place['bottom'] - place['top']))
+
+
+def stroke(editor, *points):
+    """A line of the mouse through points of the canvas."""
+    corners = [on_canvas(editor, *point) for point in points]
+    editor.move(corners[0])
+    editor.seen('mousedown', 1)
+    for corner in corners[1:]:
+        editor.move(corner)
+    editor.seen('mouseup', 1)
+    editor.settle()
+
+
+def arrangements(editor, folder):
+    editor.keys('ctrl+7')
+    editor.click('growth/until')
+    editor.click('growth/until/the canvas is full')
+    editor.click('growth/Grow')
+    keep(editor, folder, 'growth')
+    editor.click('growth/Clear')
+    editor.click('growth/Spray')
+    wave = [(0.12 + 0.04 * i, 0.5 + 0.22 * math.sin(0.5 * i)) for i in range(20)]
+    stroke(editor, *wave)
+    keep(editor, folder, 'spray', 'canvas')
+    editor.click('growth/Clear')
+    editor.click('growth/Flow')
+    stroke(editor, *[(x, y - 0.15) for x, y in wave])
+    stroke(editor, *[(x, y + 0.15) for x, y in wave])
+    editor.click('growth/Boundary')
+    circle = [(0.5 + 0.3 * math.cos(0.2 * i), 0.5 + 0.4 * math.sin(0.2 * i)) for i in range(33)]
+    stroke(editor, *circle)
+    editor.click('growth/Grow')
+    keep(editor, folder, 'flow', 'canvas')
+    editor.click('growth/Clear')
+    editor.click('growth/Flip edges')
+    keep(editor, folder, 'edges', 'canvas')
+
+
+def aggregates(editor, folder):
+    editor.keys('ctrl+7')
+    editor.click('growth/tab Aggregate')
+    editor.click('growth/growth.fill')
+    keep(editor, folder, 'aggregate')
+
+
 def windows(editor, folder):
     editor.keys('ctrl+e')
     keep(editor, folder, 'export')
@@ -75,6 +125,10 @@ def main(program, folder=root / 'docs' / 'images' / 'editor'):
             keep(editor, folder, 'window')
             panels(editor, folder)
             windows(editor, folder)
+        with Editor(display, program, root / 'samples' / 'scales.svg') as editor:
+            arrangements(editor, folder)
+        with Editor(display, program, root / 'samples' / 'flower.svg') as editor:
+            aggregates(editor, folder)
         with Editor(display, program, '--light', art) as editor:
             keep(editor, folder, 'light')
         with Editor(display, program, '--scale', '2', art) as editor:

@@ -5,6 +5,7 @@
 
 #include "analyzer/analyze.h"
 #include "editor/effects/analysis_jobs.h"
+#include "editor/effects/growth_jobs.h"
 #include "editor/effects/guarded.h"
 #include "editor/effects/progress_posts.h"
 #include "editor/effects/read_tool_replacement.h"
@@ -25,7 +26,10 @@ constexpr std::size_t elements_at_once = 20'000;
 }  // namespace
 
 Effects::Effects(ActionQueue& answers, const KeptFolders& folders)
-    : answers_(answers), post_([&answers](Action action) { answers.post(std::move(action)); }), files_(answers, folders) {}
+    : answers_(answers),
+      post_([&answers](Action action) { answers.post(std::move(action)); }),
+      surroundings_(std::make_shared<SurroundingsCache>()),
+      files_(answers, folders) {}
 
 void Effects::fulfil(const Request& request) {
     std::visit(
@@ -90,10 +94,13 @@ void Effects::one(const MeasureDepth& request) {
         DeriveOptions derive = request.document.derive;
         derive.depth = -1;
         derive.max_seconds = seconds_to_measure;
-        guarded([&] { post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}}); },
-                [&](const std::string&) {
-                    post(RulesAction{DepthMeasured{grammar, -1}});
-                });
+        guarded(
+            [&] {
+                post(RulesAction{DepthMeasured{grammar, derivation_facts(*grammar, derive, progress).depth}});
+            },
+            [&](const std::string&) {
+                post(RulesAction{DepthMeasured{grammar, -1}});
+            });
     });
 }
 
@@ -130,8 +137,13 @@ void Effects::one(const MapElements& request) { maps_.start(mapping_job(request)
 
 void Effects::one(const RunTool& request) {
     const auto use = [request](const Worker::Post& post) {
-        guarded([&] { post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}}); },
-                [&](std::string message) { post(ToolsAction{ToolFailed{request.job, std::move(message)}}); });
+        guarded(
+            [&] {
+                post(ToolsAction{ToolDone{request.job, use_tool(request.document, *request.edit)}});
+            },
+            [&](std::string message) {
+                post(ToolsAction{ToolFailed{request.job, std::move(message)}});
+            });
     };
     if (request.at_once) {
         use([this](Action action) { answers_.post(std::move(action)); });
@@ -147,6 +159,24 @@ void Effects::one(const ReadReplacement& request) {
                     post(ToolsAction{ReplacementFailed{request.with, std::move(message)}});
                 });
     });
+}
+
+GrowthStop Effects::begin_growth() {
+    growth_stop_->store(true);
+    return growth_stop_ = std::make_shared<std::atomic<bool>>(false);
+}
+
+void Effects::one(const ReadSource& request) { sources_.start(source_job(request)); }
+
+void Effects::one(const GrowArrangement& request) { growth_.start(arrange_job(request, surroundings_, begin_growth())); }
+
+void Effects::one(const FillPattern& request) { growth_.start(fill_job(request, begin_growth())); }
+
+void Effects::one(const MakeGrownDocument& request) { growth_.start(grown_document_job(request)); }
+
+void Effects::one(const EndGrowth& request) {
+    growth_stop_->store(true);
+    if (!request.keep) growth_.stop();
 }
 
 void Effects::one(const CloseWindow&) { closing_ = true; }

@@ -1,6 +1,7 @@
 #pragma once
 // Fulfils what update() asks for.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
@@ -11,6 +12,8 @@
 #include "editor/model/request.h"
 
 namespace rinceau {
+
+class SurroundingsCache;  // growth_jobs.h
 
 /// Pictures that were quick to derive are derived at once, so that a drag is seen in the same frame; the others, files and
 /// analyses on threads. Answers come through the queue. Never throws.
@@ -35,7 +38,15 @@ class Effects {
     void one(const ReadReplacement& request);
     void one(const TabulateClusters& request);
     void one(const MapElements& request);
+    void one(const ReadSource& request);
+    void one(const GrowArrangement& request);
+    void one(const FillPattern& request);
+    void one(const MakeGrownDocument& request);
+    void one(const EndGrowth& request);
     void one(const CloseWindow& request);
+
+    /// For growth that begins now; the growth before ends.
+    std::shared_ptr<std::atomic<bool>> begin_growth();
 
     ActionQueue& answers_;
     Worker::Post post_;  ///< to the answers, from any thread
@@ -51,6 +62,10 @@ class Effects {
     Worker tools_{post_};
     Worker clusters_{post_};
     Worker maps_{post_};
+    Worker sources_{post_};
+    std::shared_ptr<SurroundingsCache> surroundings_;
+    std::shared_ptr<std::atomic<bool>> growth_stop_ = std::make_shared<std::atomic<bool>>(false);
+    Worker growth_{post_};
     bool closing_ = false;
     FileEffects files_;  ///< last: waits for what is to be written while all else is still there
 };

@@ -22,6 +22,7 @@
 #include "editor/main/screen.h"
 #include "editor/main/window.h"
 #include "editor/model/command.h"
+#include "editor/model/growth_view.h"
 #include "editor/model/state_preferences.h"
 #include "editor/model/update.h"
 #include "editor/panels/frame_timing.h"
@@ -170,8 +171,10 @@ class Session {
         PanelTools tools;
         tools.scale = screen_.scale();
         tools.fonts = screen_.fonts();
-        tools.canvas_texture = renderer_.draw(state_.picture, state_.canvas.view, emphasis_of(state_.canvas),
-                                              {.surround = surround(state_.shell.dark)});
+        // flags of emphasis count the document's elements
+        const PictureEmphasis emphasis = shows_grown(state_) ? PictureEmphasis{} : emphasis_of(state_.canvas);
+        tools.canvas_texture =
+            renderer_.draw(canvas_picture(state_), state_.canvas.view, emphasis, {.surround = surround(state_.shell.dark)});
         tools.shortcoming = renderer_.shortcoming();
         thumbnails_.begin_frame();
         tools.thumbnail = [this](int look) { return thumbnail(look); };

@@ -8,6 +8,7 @@
 #include "editor/model/canvas_actions.h"
 #include "editor/model/dialog_actions.h"
 #include "editor/model/file_actions.h"
+#include "editor/model/growth_actions.h"
 #include "editor/model/recovery_actions.h"
 #include "editor/model/rules_actions.h"
 #include "editor/model/shell_actions.h"
@@ -16,7 +17,7 @@
 namespace rinceau {
 
 using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction, DialogAction,
-                            RecoveryAction>;
+                            RecoveryAction, GrowthAction>;
 using Actions = std::vector<Action>;
 
 }  // namespace rinceau

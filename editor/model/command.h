@@ -18,9 +18,9 @@ struct Command {
     std::string help;      ///< a sentence for the tooltip and the help window
     bool (*enabled)(const EditorState& state) = nullptr;  ///< null = always
     Action (*action)(const EditorState& state) = nullptr;
-    bool (*checked)(const EditorState& state) = nullptr;  ///< of a command that switches something: is it on?
+    bool (*checked)(const EditorState& state) = nullptr;        ///< of a command that switches something: is it on?
     std::string (*detail)(const EditorState& state) = nullptr;  ///< what it would do now, for the tooltip; null = as ever
-    bool repeats = false;                                 ///< holding its key down gives it again and again
+    bool repeats = false;                                       ///< holding its key down gives it again and again
 };
 
 /// Can it be given now?
@@ -44,6 +44,7 @@ std::vector<Command> rules_commands();
 std::vector<Command> tools_commands();
 std::vector<Command> canvas_commands();
 std::vector<Command> analysis_commands();
+std::vector<Command> growth_commands();
 std::vector<Command> shell_commands();
 
 /// All of them, menu after menu: names and shortcuts are unique.

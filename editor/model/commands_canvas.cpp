@@ -1,6 +1,7 @@
 // Commands of the menu View that concern the canvas, and of selecting on it.
 
 #include "editor/model/command.h"
+#include "editor/model/growth_view.h"
 
 namespace rinceau {
 namespace {
@@ -13,9 +14,20 @@ Action toggled(const EditorState& state, OnionMode mode) {
     return CanvasAction{ShowOnion{state.canvas.onion == mode ? OnionMode::off : mode}};
 }
 
+/// What is being painted or grown, the brush, what has grown: one at a time.
+std::optional<GrowthAction> growth_to_cancel(const EditorState& state) {
+    const GrowthState& growth = state.growth;
+    if (!growth.stroke.empty()) return DropStroke{};
+    if (growth.work != GrowthWork::none || !growth.waiting.empty() || growth.fill_waits) return StopGrowth{};
+    if (brush_on_canvas(state) != GrowthBrush::none) return TakeBrush{GrowthBrush::none};
+    if (growth_is_open(state) && shows_grown(state)) return DropGrowth{};
+    return std::nullopt;
+}
+
 Action cancel(const EditorState& state) {
     if (state.canvas.drag) return CanvasAction{DropHandle{}};
     if (state.preview) return RulesAction{DropPreview{}};
+    if (const auto growth = growth_to_cancel(state)) return *growth;
     return CanvasAction{ClearSelection{}};
 }
 
@@ -116,7 +128,7 @@ std::vector<Command> canvas_commands() {
          .menu = "Select",
          .label = "Nothing",
          .shortcut = "Escape",
-         .help = "Drops what is being dragged; else nothing is selected any more.",
+         .help = "Drops what is being dragged or has grown; else nothing is selected any more.",
          .action = cancel},
     };
     commands.insert(commands.end(), selecting.begin(), selecting.end());

@@ -40,6 +40,7 @@ std::vector<Command> panel_commands() {
         panel_command<EditorPanel::terminals>("terminals", "Ctrl+4", "The keyboard goes to the terminals."),
         panel_command<EditorPanel::analysis>("analysis", "Ctrl+5", "The keyboard goes to the analysis."),
         panel_command<EditorPanel::log>("log", "Ctrl+6", "The keyboard goes to the log of what happened."),
+        panel_command<EditorPanel::growth>("growth", "Ctrl+7", "The keyboard goes to growth: more of the same."),
         {.name = "panel.next",
          .menu = "View/Go to",
          .label = "Next panel",
@@ -114,15 +115,13 @@ std::vector<Command> layout_commands() {
          .label = "Left column",
          .shortcut = "F7",
          .help = "Shows or hides the column of terminals and analysis.",
-         .action = [](const EditorState& state) -> Action {
-             return ShellAction{ShowLeftColumn{!state.shell.shown.left}};
-         },
+         .action = [](const EditorState& state) -> Action { return ShellAction{ShowLeftColumn{!state.shell.shown.left}}; },
          .checked = [](const EditorState& state) { return state.shell.shown.left; }},
         {.name = "view.right",
          .menu = "View/Panels",
          .label = "Right column",
          .shortcut = "F8",
-         .help = "Shows or hides the column of rules and tools.",
+         .help = "Shows or hides the column of rules, tools and growth.",
          .action = [](const EditorState& state) -> Action {
              return ShellAction{ShowPanel{state.shell.right_tab, !state.shell.shown.right}};
          },

@@ -56,6 +56,18 @@ DerivedPicture derive_picture(const Document& document, const Progress& progress
     return picture;
 }
 
+DerivedPicture placed_picture(const std::shared_ptr<const Grammar>& grammar, const std::vector<Placement>& placements) {
+    DerivedPicture picture;
+    picture.grammar = grammar;
+    LookIndex index(*grammar);
+    picture.items.reserve(placements.size());
+    for (const Placement& placement : placements) {
+        const auto look = index.of(placement, picture.looks);
+        picture.items.push_back({placement.pose, look, static_cast<std::int32_t>(picture.items.size()), placement.repaint});
+    }
+    return picture;
+}
+
 DerivedPicture drawing_picture(const Scene& drawing) {
     Grammar grammar;
     grammar.canvas = drawing.viewport;

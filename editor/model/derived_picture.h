@@ -35,6 +35,9 @@ struct DerivedPicture {
 /// Derives and interprets the document's grammar. Throws as interpret().
 DerivedPicture derive_picture(const Document& document, const Progress& progress = {});
 
+/// The picture of placements of the grammar's terminals, in the order given.
+DerivedPicture placed_picture(const std::shared_ptr<const Grammar>& grammar, const std::vector<Placement>& placements);
+
 /// The picture of the drawing that the document was found in: an item per element. Empty without a drawing.
 DerivedPicture drawing_picture(const Scene& drawing);
 

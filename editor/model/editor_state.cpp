@@ -19,7 +19,8 @@ const Document& shown_document(const EditorState& state) { return state.preview 
 bool is_busy(const EditorState& state) {
     const bool derives = state.picture_revision != state.revision && state.picture_mistake.empty();
     return derives || state.analysis.running || state.file.opening || state.file.saving || state.file.exporting ||
-           state.tools.running || state.tools.reading || state.clusters.running || state.clusters.mapping;
+           state.tools.running || state.tools.reading || state.clusters.running || state.clusters.mapping ||
+           state.growth.asked || state.growth.work != GrowthWork::none;
 }
 
 bool shows_tool_preview(const EditorState& state) {

@@ -14,6 +14,7 @@
 #include "editor/model/dialog_state.h"
 #include "editor/model/document.h"
 #include "editor/model/file_state.h"
+#include "editor/model/growth_state.h"
 #include "editor/model/history.h"
 #include "editor/model/recovery_state.h"
 #include "editor/model/rules_state.h"
@@ -49,6 +50,7 @@ struct EditorState {
     CanvasState canvas;
     AnalysisState analysis;
     ClustersState clusters;
+    GrowthState growth;
     ShellState shell;
     std::vector<EditorMessage> messages;  ///< oldest first
 };

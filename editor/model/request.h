@@ -13,10 +13,16 @@
 #include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
 #include "editor/model/preferences.h"
+#include "editor/model/source_question.h"
 #include "editor/model/tool_edit.h"
 #include "editor/model/view_transform.h"
 
 namespace rinceau {
+
+struct ArrangeOrder;  // arrange_order.h
+struct FillOrder;     // fill_order.h
+struct GrownPattern;  // grown_pattern.h
+struct GrowthSource;  // growth_source.h
 
 /// Answered by FileOpened or FileFailed.
 struct ReadDocument {
@@ -144,39 +150,41 @@ struct ReadReplacement {
     std::string symbol;
     std::string with;
 };
+/// Answered by SourceRead; a later one takes its place.
+struct ReadSource {
+    std::uint64_t job = 0;
+    SourceQuestion question;
+    std::shared_ptr<const GrowthSource> known;
+};
+// Growth: answered by GrowthProgress, PatternGrown and at last PatternGrown{.done} or GrowthFailed; a later one takes the
+// place of an earlier one.
+struct GrowArrangement {
+    std::uint64_t job = 0;
+    std::shared_ptr<const ArrangeOrder> order;
+};
+struct FillPattern {
+    std::uint64_t job = 0;
+    std::shared_ptr<const FillOrder> order;
+};
+/// Answered by GrownDocumentMade or GrowthFailed.
+struct MakeGrownDocument {
+    std::uint64_t job = 0;
+    Document document;
+    std::shared_ptr<const GrownPattern> pattern;
+};
+/// Growth ends; `keep`: with what stands, and is answered, else without an answer.
+struct EndGrowth {
+    bool keep = true;
+};
 struct CloseWindow {};
 
 // clang-format off: one a line, so that the list grows without touching other lines
-using Request = std::variant<
-    ReadDocument,
-    WriteDocument,
-    WriteExport,
-    DerivePicture,
-    FindSelection,
-    CheckText,
-    MeasureDepth,
-    LightRule,
-    DeriveBefore,
-    RunAnalysis,
-    StopAnalysis,
-    TabulateClusters,
-    MapElements,
-    RunTool,
-    ReadReplacement,
-    CloseWindow,
-    StopExport,
-    HoldFile,
-    ListFolder,
-    MakeFolder,
-    LookAtPath,
-    ListSamples,
-    WriteRecovery,
-    RemoveRecovery,
-    FindRecoverables,
-    ReadRecovery,
-    DiscardRecovery,
-    WritePreferences
->;
+using Request =
+    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, CheckText, MeasureDepth, LightRule,
+                 DeriveBefore, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, RunTool, ReadReplacement,
+                 ReadSource, GrowArrangement, FillPattern, MakeGrownDocument, EndGrowth, CloseWindow, StopExport, HoldFile,
+                 ListFolder, MakeFolder, LookAtPath, ListSamples, WriteRecovery, RemoveRecovery, FindRecoverables,
+                 ReadRecovery, DiscardRecovery, WritePreferences>;
 // clang-format on
 using Requests = std::vector<Request>;
 

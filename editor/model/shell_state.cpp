@@ -10,6 +10,7 @@ bool is_open(const ShellState& shell, EditorPanel panel) {
             return shell.shown.left && shell.shown.analysis;
         case EditorPanel::rules:
         case EditorPanel::tools:
+        case EditorPanel::growth:
             return shell.shown.right;
         case EditorPanel::log:
             return shell.shown.log;
@@ -29,6 +30,8 @@ const char* panel_title(EditorPanel panel) {
             return "Rules";
         case EditorPanel::tools:
             return "Tools";
+        case EditorPanel::growth:
+            return "Growth";
         case EditorPanel::log:
             return "Log";
         case EditorPanel::canvas:

@@ -6,7 +6,7 @@
 
 namespace rinceau {
 
-enum class EditorPanel : unsigned char { terminals, analysis, canvas, rules, tools, log };
+enum class EditorPanel : unsigned char { terminals, analysis, canvas, rules, tools, growth, log };
 
 /// Lengths at scale 1, wished for: a small window gives less.
 struct PanelSizes {
@@ -22,7 +22,7 @@ struct ShownPanels {
     bool left = true;       ///< the column of terminals and analysis
     bool terminals = true;  ///< unfolded there
     bool analysis = true;
-    bool right = true;  ///< the column of rules and tools
+    bool right = true;  ///< the column of rules, tools and growth
     bool log = false;   ///< the newest message stands in the status line anyway
     friend bool operator==(const ShownPanels&, const ShownPanels&) = default;
 };
@@ -34,7 +34,7 @@ struct ShellState {
     PanelSizes sizes;
     ShownPanels shown;
     // Of this session.
-    EditorPanel right_tab = EditorPanel::rules;  ///< rules or tools
+    EditorPanel right_tab = EditorPanel::rules;  ///< rules, tools or growth
     EditorPanel focused = EditorPanel::canvas;   ///< where the keyboard is
     std::optional<EditorPanel> focus_wanted;     ///< where it is to go with the next frame
     bool help = false;

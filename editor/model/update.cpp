@@ -105,6 +105,7 @@ void replace_document(Update& update, Document document) {
     state.history = {};
     state.preview.reset();
     forget_analysis(update);
+    forget_growth(update);
     state.canvas.fit_pending = true;
     state.canvas.drag.reset();
     state.canvas.onion = OnionMode::off;
@@ -117,6 +118,7 @@ Update update(EditorState state, const Action& action) {
     Update result{std::move(state), {}};
     std::visit([&](const auto& of_area) { perform(result, of_area); }, action);
     settle_analysis(result);
+    follow_growth(result);
     refresh_rules(result);
     return result;
 }

@@ -1,13 +1,15 @@
 // Looking: pan, zoom, the picture that was asked for.
 
 #include "editor/model/update_canvas.h"
+#include "editor/model/growth_view.h"
 
 namespace rinceau {
 namespace {
 
 void fit_if_pending(EditorState& state) {
-    if (!state.canvas.fit_pending || !state.picture || state.canvas.view.size.x <= 1) return;
-    const Box& canvas = state.picture->grammar->canvas;
+    const auto& picture = canvas_picture(state);
+    if (!state.canvas.fit_pending || !picture || state.canvas.view.size.x <= 1) return;
+    const Box& canvas = picture->grammar->canvas;
     if (is_empty(canvas)) return;
     state.canvas.view = fitted_view(state.canvas.view, canvas);
     state.canvas.fit_pending = false;

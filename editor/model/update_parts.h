@@ -19,6 +19,7 @@ void perform(Update& update, const AnalysisAction& action);
 void perform(Update& update, const ShellAction& action);
 void perform(Update& update, const DialogAction& action);
 void perform(Update& update, const RecoveryAction& action);
+void perform(Update& update, const GrowthAction& action);
 
 void tell(Update& update, MessageKind kind, std::string text);
 
@@ -61,6 +62,11 @@ void drop_tried_analysis(Update& update);
 
 /// The drawing is another one: nothing that an analysis of the last one brings is of use.
 void forget_analysis(Update& update);
+/// While the panel of growth is open, what it grows from follows the document.
+void follow_growth(Update& update);
+/// The document is another one: nothing has grown yet.
+void forget_growth(Update& update);
+
 /// What is previewed is not shown any more; nothing else changes.
 void drop_preview(Update& update);
 

@@ -17,8 +17,8 @@ constexpr float least_row = 40;
 constexpr float least_share = 0.1F;
 
 /// In the order in which the keyboard goes round.
-constexpr std::array all_panels{EditorPanel::terminals, EditorPanel::analysis, EditorPanel::canvas,
-                                EditorPanel::rules,     EditorPanel::tools,    EditorPanel::log};
+constexpr std::array all_panels{EditorPanel::terminals, EditorPanel::analysis, EditorPanel::canvas, EditorPanel::rules,
+                                EditorPanel::tools,     EditorPanel::growth,   EditorPanel::log};
 
 PanelSizes bounded(const PanelSizes& sizes) {
     const auto column = [](float width) { return std::clamp(width, least_column, greatest_column); };
@@ -40,6 +40,7 @@ void show(ShellState& shell, EditorPanel panel, bool shown) {
             break;
         case EditorPanel::rules:
         case EditorPanel::tools:
+        case EditorPanel::growth:
             if (shown) shell.right_tab = panel;
             shell.shown.right = shown;
             break;
@@ -59,9 +60,7 @@ void perform_one(Update& update, const SetTextScale& action) {
 
 void perform_one(Update& update, const ShowPanel& action) { show(update.state.shell, action.panel, action.shown); }
 
-void perform_one(Update& update, const ShowLeftColumn& action) {
-    update.state.shell.shown.left = action.shown;
-}
+void perform_one(Update& update, const ShowLeftColumn& action) { update.state.shell.shown.left = action.shown; }
 
 void perform_one(Update& update, const ResizePanels& action) { update.state.shell.sizes = bounded(action.sizes); }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "editor/model/growth_view.h"
 #include "editor/panels/canvas_parts.h"
 
 namespace rinceau {
@@ -75,18 +76,21 @@ Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
     if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false))
         actions.push_back(CanvasAction{StepSelection{1}});
     ImGui::PushClipRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), true);
-    draw_canvas_overlay(state, tools, place);
+    if (!shows_grown(state)) draw_canvas_overlay(state, tools, place);
+    draw_growth_overlay(state, tools, place, hovered);
     ImGui::PopClipRect();
     if (state.canvas.drag) {
         drag_handle(actions, state, place);
         return actions;
     }
+    if (paint_growth(actions, state, tools, place, hovered)) return actions;
     if (!hovered) {
         if (state.canvas.hovered_item >= 0) actions.push_back(CanvasAction{LeaveCanvas{}});
         return actions;
     }
     zoom_and_pan(actions, place, tools);
     pan_by_drag(actions);
+    if (shows_grown(state) || brush_on_canvas(state) != GrowthBrush::none) return actions;
     const int handle = handle_at(state, tools, place, ImGui::GetIO().MousePos);
     if (handle >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         const Point at = from_window(place, ImGui::GetIO().MousePos);

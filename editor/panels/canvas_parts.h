@@ -27,6 +27,13 @@ Actions canvas_path_bar(const EditorState& state, const PanelTools& tools);
 /// Outlines of what is selected, and the handles.
 void draw_canvas_overlay(const EditorState& state, const PanelTools& tools, const CanvasPlace& place);
 
+/// Strokes, lines between neighbours and the brush of growth.
+void draw_growth_overlay(const EditorState& state, const PanelTools& tools, const CanvasPlace& place, bool hovered);
+
+/// What the mouse does with a brush of growth. True while something is painted: the mouse is for that alone.
+bool paint_growth(Actions& actions, const EditorState& state, const PanelTools& tools, const CanvasPlace& place,
+                  bool hovered);
+
 /// Index of the handle under the point of the window; -1 = none.
 int handle_at(const EditorState& state, const PanelTools& tools, const CanvasPlace& place, ImVec2 window);
 

@@ -3,11 +3,13 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <array>
 #include <iterator>
+#include <utility>
 
+#include "editor/model/window_layout.h"
 #include "editor/panels/command_menu.h"
 #include "editor/panels/panel.h"
-#include "editor/model/window_layout.h"
 
 namespace rinceau {
 namespace {
@@ -133,12 +135,16 @@ void tab(Drawing& drawing, EditorPanel panel, float width) {
 
 void right_column(Drawing& drawing, const WindowLayout& layout) {
     ImGui::BeginGroup();
-    tab(drawing, EditorPanel::rules, layout.right / 2);
-    ImGui::SameLine(0, 0);
-    tab(drawing, EditorPanel::tools, layout.right / 2);
+    constexpr std::array<std::pair<EditorPanel, DrawPanel>, 3> panels{
+        {{EditorPanel::rules, rules_panel}, {EditorPanel::tools, tools_panel}, {EditorPanel::growth, growth_panel}}};
+    const float width = layout.right / static_cast<float>(panels.size());
     const float height = layout.body - ImGui::GetFrameHeight();
-    const bool rules = drawing.state.shell.right_tab == EditorPanel::rules;
-    draw_panel(drawing, drawing.state.shell.right_tab, {layout.right, height}, rules ? rules_panel : tools_panel);
+    for (const auto& [panel, draw] : panels) {
+        tab(drawing, panel, width);
+        if (panel != panels.back().first) ImGui::SameLine(0, 0);
+    }
+    for (const auto& [panel, draw] : panels)
+        if (panel == drawing.state.shell.right_tab) draw_panel(drawing, panel, {layout.right, height}, draw);
     ImGui::EndGroup();
 }
 

@@ -30,6 +30,7 @@ Actions canvas_panel(const EditorState& state, const PanelTools& tools);
 Actions rules_panel(const EditorState& state, const PanelTools& tools);
 Actions terminals_panel(const EditorState& state, const PanelTools& tools);
 Actions tools_panel(const EditorState& state, const PanelTools& tools);
+Actions growth_panel(const EditorState& state, const PanelTools& tools);
 Actions analysis_panel(const EditorState& state, const PanelTools& tools);
 Actions log_panel(const EditorState& state, const PanelTools& tools);
 Actions file_dialogs(const EditorState& state, const PanelTools& tools);

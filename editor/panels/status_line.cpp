@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "editor/model/growth_view.h"
 #include "editor/panels/command_menu.h"
 #include "editor/panels/theme.h"
 
@@ -25,13 +26,14 @@ std::string formatted(const char* format, double value) {
 
 /// Elements, rules, zoom and the time that deriving takes.
 std::string figures(const EditorState& state) {
-    if (!state.picture) return {};
+    const auto& picture = canvas_picture(state);
+    if (!picture) return {};
     const std::string apart = "  \u00b7  ";
     const auto rules = shown_document(state).grammar->productions.size();
-    std::string text = counted(state.picture->items.size(), "element", "elements");
+    std::string text = counted(picture->items.size(), "element", "elements");
     text += apart + counted(rules, "rule", "rules");
     text += apart + formatted("%.3g %%", percent * state.canvas.view.zoom);
-    text += apart + formatted("%.1f ms", milliseconds * state.picture->seconds);
+    text += apart + formatted("%.1f ms", milliseconds * picture->seconds);
     return text;
 }
 

@@ -19,7 +19,7 @@ EditorState after(EditorState state, const ShellAction& action) { return update(
 TEST_CASE("the keyboard goes round all open panels and back again") {
     EditorState state = after(initial_state(), ShowPanel{EditorPanel::analysis, false});
     std::set<EditorPanel> visited;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
         state = after(state, FocusNextPanel{1});
         REQUIRE(state.shell.focus_wanted);
         const EditorPanel panel = *state.shell.focus_wanted;
@@ -28,7 +28,8 @@ TEST_CASE("the keyboard goes round all open panels and back again") {
         state = after(state, PanelFocused{panel});
         CHECK_FALSE(state.shell.focus_wanted);
     }
-    CHECK(visited == std::set{EditorPanel::terminals, EditorPanel::canvas, EditorPanel::rules, EditorPanel::tools});
+    CHECK(visited == std::set{EditorPanel::terminals, EditorPanel::canvas, EditorPanel::rules, EditorPanel::tools,
+                              EditorPanel::growth});
     const EditorPanel here = state.shell.focused;
     state = after(after(state, FocusNextPanel{1}), FocusNextPanel{-1});
     CHECK(state.shell.focus_wanted == here);
