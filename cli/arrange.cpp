@@ -20,6 +20,7 @@
 #include "growth/arrangement/paint_order.h"
 #include "growth/arrangement/place_figures.h"
 #include "growth/arrangement/spray.h"
+#include "growth/arrangement/tile_of_drawing.h"
 #include "scene/svg_write.h"
 
 namespace rinceau {
@@ -124,14 +125,30 @@ void say_summary(const Grown& grown, const ArrangeSettings& settings) {
         say("warning: no room for more than " + std::to_string(elements) + " elements");
 }
 
+/// The exemplar, and its drawing with each element once if it is a tile.
+Exemplar read_exemplar(const ArrangeSettings& settings, GrowthInput& input) {
+    ExemplarOptions options{.flips = settings.flips};
+    if (settings.tile)
+        options.tile = input.drawing.grammar.canvas;
+    else if (!settings.no_tile)
+        options.tile = sensible_tile(input.drawing);
+    if (options.tile) input.drawing = as_tile(input.drawing, *options.tile);
+    if (options.tile && !settings.tile)
+        say("rinceau: the exemplar is taken for a tile that repeats side by side; --no-tile prevents it");
+    Exemplar exemplar = make_exemplar(input.drawing, options, input.label);
+    for (const std::string& warning : exemplar.warnings) {
+        say("warning: " + input.label + ": " + warning);
+        input.warnings.push_back(warning);
+    }
+    return exemplar;
+}
+
 int run_arrange(const ArrangeSettings& settings) {
     expect_consistent(settings);
     const auto start = Clock::now();
-    const GrowthInput input = read_growth_input(settings.input, {.raised = settings.raised}, settings.growth.threads);
+    GrowthInput input = read_growth_input(settings.input, {.raised = settings.raised}, settings.growth.threads);
     const Box exemplar_canvas = input.drawing.grammar.canvas;
-    ExemplarOptions exemplar_options{.flips = settings.flips};
-    if (settings.tile) exemplar_options.tile = exemplar_canvas;
-    const Exemplar exemplar = make_exemplar(input.drawing, exemplar_options, input.label);
+    const Exemplar exemplar = read_exemplar(settings, input);
     if (!settings.numbering.empty()) write_output(settings.numbering, write_svg(connectivity_picture(exemplar)));
     const ArrangeGround ground = read_arrange_ground(settings, exemplar, exemplar_canvas);
     ArrangeSeconds seconds{.input = seconds_since(start)};

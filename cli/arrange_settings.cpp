@@ -130,7 +130,8 @@ void add_mode_options(CLI::App& verb, ArrangeSettings& settings) {
 void add_exemplar_options(CLI::App& verb, ArrangeSettings& settings) {
     add_read_option(verb, "--element", "Whatever these symbols of the grammar draw is one element each", "SYMBOL,..",
                     [&settings](const std::string& text) { settings.raised = parse_list("--element", text); });
-    verb.add_flag("--tile", settings.tile, "The exemplar's canvas is a tile that repeats");
+    CLI::Option* tile = verb.add_flag("--tile", settings.tile, "The exemplar's canvas is a tile that repeats");
+    verb.add_flag("--no-tile", settings.no_tile, "It is none, even if it looks like one")->excludes(tile);
     add_read_option(verb, "--flip-edges",
                     "Neighbours to be exchanged in the exemplar: the other diagonal of the two triangles beside an edge; "
                     "elements as --numbering shows them",

@@ -21,7 +21,8 @@ struct ArrangeSettings {
     std::string region, boundary, flow, spray;  ///< names of drawings; empty = none
     double spray_radius = 0;
     bool undirected = false;
-    bool tile = false;
+    bool tile = false;  ///< neither: the drawing decides
+    bool no_tile = false;
     std::vector<std::string> raised;
     std::vector<std::pair<std::string, double>> priorities;
     std::vector<std::pair<int, int>> flips;

@@ -230,18 +230,19 @@ FigureInstance joined_pieces(const TorusElement& element, FiguredDrawing& drawin
             parts.push_back(std::move(part));
         }
     }
-    constexpr double seam = 0.01;  // of the element: pieces end a hair before the edge
-    const double closing = seam * diagonal(bounds(outline));
-    outline = offset_region(offset_region(outline, closing), -closing);
+    constexpr double seam = 0.01;  // of the element: pieces may end a hair before the edge
+    const double hair = seam * diagonal(bounds(outline));
+    // pieces that barely meet, and outlines with their ends at the edge, would show where they were cut
+    const bool seamless = outline.size() == 1 && offset_region(outline, -hair).size() == 1;
+    outline = offset_region(offset_region(outline, hair), -hair);
     const Similarity frame = translate(center(bounds(outline)));
     figure.outline = transformed(outline, inverse(frame));
     for (const auto& polygon : figure.outline)
         for (const Point corner : polygon) figure.radius = std::max(figure.radius, abs(corner));
     for (Placement& part : parts) part.pose = inverse(frame) * part.pose;
     figure.parts = std::move(parts);
-    const bool solid = figure.outline.size() == 1;
     drawing.figures.push_back(std::move(figure));
-    return {static_cast<int>(drawing.figures.size()) - 1, frame, solid};
+    return {static_cast<int>(drawing.figures.size()) - 1, frame, seamless};
 }
 
 bool holds_kept_text(const FiguredDrawing& drawing, const FigureInstance& instance) {
