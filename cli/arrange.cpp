@@ -62,6 +62,7 @@ Grown grow_all(const ArrangeSettings& settings, const Exemplar& exemplar, const 
     bool late = false;
     GrowOrder order;
     if (settings.count) order.count = *settings.count;
+    order.brush = ground.limit;
     if (settings.seconds > 0)
         order.stop = [&late, start, limit = settings.seconds] { return late = late || seconds_since(start) > limit; };
     ProgressBar bar;
@@ -90,17 +91,6 @@ Box box_of(const std::vector<Region>& outlines) {
     return box;
 }
 
-void write_connectivity(const ArrangeSettings& settings, const ElementArrangement& arrangement,
-                        const std::vector<Region>& outlines, const Box& canvas) {
-    if (settings.connectivity.empty()) return;
-    std::vector<PicturedNode> nodes;
-    for (const ArrangedElement& element : arranged_elements(arrangement)) {
-        const std::size_t index = nodes.size();
-        nodes.push_back({.position = element.position, .outline = outlines[index]});
-    }
-    write_output(settings.connectivity, edges_svg(nodes, arranged_edges(arrangement), canvas));
-}
-
 /// What comes into the canvas, in paint order.
 std::vector<PlacedFigure> visible(const std::vector<PlacedFigure>& placed, const std::vector<Region>& outlines,
                                   const std::vector<std::size_t>& order, const Box& canvas) {
@@ -125,22 +115,12 @@ void say_summary(const Grown& grown, const ArrangeSettings& settings) {
         say("warning: no room for more than " + std::to_string(elements) + " elements");
 }
 
-/// The exemplar, and its drawing with each element once if it is a tile.
-Exemplar read_exemplar(const ArrangeSettings& settings, GrowthInput& input) {
-    ExemplarOptions options{.flips = settings.flips};
-    if (settings.tile)
-        options.tile = input.drawing.grammar.canvas;
-    else if (!settings.no_tile)
-        options.tile = sensible_tile(input.drawing);
-    if (options.tile) input.drawing = as_tile(input.drawing, *options.tile);
-    if (options.tile && !settings.tile)
-        say("rinceau: the exemplar is taken for a tile that repeats side by side; --no-tile prevents it");
-    Exemplar exemplar = make_exemplar(input.drawing, options, input.label);
-    for (const std::string& warning : exemplar.warnings) {
-        say("warning: " + input.label + ": " + warning);
-        input.warnings.push_back(warning);
-    }
-    return exemplar;
+/// The tile that the command line asks for, or that the drawing evidently is.
+std::optional<Box> tile_of(const ArrangeSettings& settings, const GrowthInput& input) {
+    if (settings.tile) return *settings.tile ? std::optional(input.drawing.grammar.canvas) : std::nullopt;
+    const std::optional<Box> tile = sensible_tile(input.drawing);
+    if (tile) say(input.label + " looks like a tile that repeats, and is taken for one; --no-tile takes it as it is");
+    return tile;
 }
 
 int run_arrange(const ArrangeSettings& settings) {
@@ -148,7 +128,14 @@ int run_arrange(const ArrangeSettings& settings) {
     const auto start = Clock::now();
     GrowthInput input = read_growth_input(settings.input, {.raised = settings.raised}, settings.growth.threads);
     const Box exemplar_canvas = input.drawing.grammar.canvas;
-    const Exemplar exemplar = read_exemplar(settings, input);
+    ExemplarOptions exemplar_options{.flips = settings.flips};
+    exemplar_options.tile = tile_of(settings, input);
+    if (exemplar_options.tile) input.drawing = as_tile(input.drawing, *exemplar_options.tile);
+    const Exemplar exemplar = make_exemplar(input.drawing, exemplar_options, input.label);
+    for (const std::string& warning : exemplar.warnings) {
+        say("warning: " + input.label + ": " + warning);
+        input.warnings.push_back(warning);
+    }
     if (!settings.numbering.empty()) write_output(settings.numbering, write_svg(connectivity_picture(exemplar)));
     const ArrangeGround ground = read_arrange_ground(settings, exemplar, exemplar_canvas);
     ArrangeSeconds seconds{.input = seconds_since(start)};
@@ -169,7 +156,8 @@ int run_arrange(const ArrangeSettings& settings) {
     const std::vector<PlacedFigure> drawn = visible(placed, outlines, paint_order(exemplar, elements), canvas);
 
     write_growth(drawing, drawn, canvas, settings.output);
-    write_connectivity(settings, grown.arrangement, outlines, canvas);
+    if (!settings.connectivity.empty())
+        write_output(settings.connectivity, edges_svg(drawing, placed, arranged_edges(grown.arrangement), canvas));
     seconds.total = seconds_since(start);
     if (!settings.report.empty())
         write_output(settings.report,

@@ -36,8 +36,6 @@ GuideLines read_lines(const std::string& name, const std::string& what) {
     return result;
 }
 
-Region rectangle(const Box& box) { return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}}; }
-
 /// Twice as wide and high as the exemplar, its upper left corner at the origin.
 Box fourfold(const Box& exemplar_canvas) { return {{0, -2 * height(exemplar_canvas)}, {2 * width(exemplar_canvas), 0}}; }
 
@@ -81,8 +79,9 @@ ArrangeGround read_arrange_ground(const ArrangeSettings& settings, const Exempla
     const bool fills_canvas = !settings.count && !region && result.stops.empty();
     result.ground = region ? bounds(*region) : picture;
     if (fills_canvas) {
+        // A brush over all of it, not a region: nothing is pushed about at the picture's edge, which cuts what lies across.
         result.ground = grown(picture, overhang(exemplar));
-        region = rectangle(result.ground);
+        result.limit = Brush{center(picture), 0.5 * diagonal(result.ground)};
     }
     if (!settings.count || settings.size) result.canvas = picture;
     if (result.confined_by.empty() && !settings.boundary.empty()) result.confined_by = input_label(settings.boundary);

@@ -13,10 +13,11 @@ namespace rinceau {
 
 struct ArrangeGround {
     ArrangeSurroundings around;
-    Box ground;                 ///< that growth begins in, and that it fills unless its order ends before
-    std::optional<Box> canvas;  ///< none = it fits what grows
-    std::vector<Brush> stops;   ///< of the brush; empty = none
-    std::string confined_by;    ///< the input that leaves room for elements or not; empty = nothing does
+    Box ground;                  ///< that growth begins in, and that it fills unless its order ends before
+    std::optional<Box> canvas;   ///< none = it fits what grows
+    std::vector<Brush> stops;    ///< of the brush; empty = none
+    std::optional<Brush> limit;  ///< only seeds below it grow
+    std::string confined_by;     ///< the input that leaves room for elements or not; empty = nothing does
 };
 
 /// Reads the drawings. `exemplar_canvas` is the picture of the exemplar. Throws as read_guide(), region_of() and

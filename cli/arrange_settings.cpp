@@ -130,8 +130,12 @@ void add_mode_options(CLI::App& verb, ArrangeSettings& settings) {
 void add_exemplar_options(CLI::App& verb, ArrangeSettings& settings) {
     add_read_option(verb, "--element", "Whatever these symbols of the grammar draw is one element each", "SYMBOL,..",
                     [&settings](const std::string& text) { settings.raised = parse_list("--element", text); });
-    CLI::Option* tile = verb.add_flag("--tile", settings.tile, "The exemplar's canvas is a tile that repeats");
-    verb.add_flag("--no-tile", settings.no_tile, "It is none, even if it looks like one")->excludes(tile);
+    CLI::Option* tile = verb.add_flag_callback(
+        "--tile", [&settings] { settings.tile = true; },
+        "The exemplar's canvas is a tile that repeats; without it, if the drawing looks so");
+    verb.add_flag_callback(
+            "--no-tile", [&settings] { settings.tile = false; }, "The exemplar's canvas is no tile, whatever it looks like")
+        ->excludes(tile);
     add_read_option(verb, "--flip-edges",
                     "Neighbours to be exchanged in the exemplar: the other diagonal of the two triangles beside an edge; "
                     "elements as --numbering shows them",

@@ -21,8 +21,7 @@ struct ArrangeSettings {
     std::string region, boundary, flow, spray;  ///< names of drawings; empty = none
     double spray_radius = 0;
     bool undirected = false;
-    bool tile = false;  ///< neither: the drawing decides
-    bool no_tile = false;
+    std::optional<bool> tile;  ///< none = as the drawing looks
     std::vector<std::string> raised;
     std::vector<std::pair<std::string, double>> priorities;
     std::vector<std::pair<int, int>> flips;

@@ -5,18 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/box.h"
-#include "scene/painted_region.h"
+#include "growth/figures.h"
 
 namespace rinceau {
 
-struct PicturedNode {
-    Point position;
-    Region outline;  ///< in the scene; may be empty
-};
-
-/// Outlines in grey, edges above them, dots for elements.
-std::string edges_svg(const std::vector<PicturedNode>& nodes, const std::vector<std::pair<int, int>>& edges,
-                      const Box& canvas);
+/// What is placed in grey, edges between indices into it above, dots for elements.
+std::string edges_svg(const FiguredDrawing& drawing, const std::vector<PlacedFigure>& placed,
+                      const std::vector<std::pair<int, int>>& edges, const Box& canvas);
 
 }  // namespace rinceau

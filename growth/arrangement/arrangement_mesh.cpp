@@ -38,17 +38,23 @@ ArrangementMesh mesh_of(const ElementArrangement& arrangement, const GrowthGroun
     return mesh;
 }
 
+void move_points(ArrangementMesh& mesh, const ElementArrangement& arrangement) {
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+        mesh.points[i] = arrangement.nodes[static_cast<std::size_t>(mesh.nodes[i])].position;
+}
+
 void drop_covered_seeds(ElementArrangement& arrangement, const GrowthGround& ground) {
     for (std::size_t i = 0; i < arrangement.nodes.size(); ++i) {
         if (!is_seed(arrangement.nodes[i])) continue;
         const ArrangementNode& seed = arrangement.nodes[i];
         bool is_covered = false;
-        arrangement.grid.visit(seed.position, covered * std::max(ground.reach, ground.exemplar.shortest_edge), [&](int node, Point at) {
-            const ArrangementNode& other = arrangement.nodes[static_cast<std::size_t>(node)];
-            // Of two seeds the one that was born later goes.
-            if (is_seed(other) && node >= static_cast<int>(i)) return;
-            is_covered |= abs(at - seed.position) < covered * least_distance(ground, seed.symbol, other.symbol);
-        });
+        arrangement.grid.visit(
+            seed.position, covered * std::max(ground.reach, ground.exemplar.shortest_edge), [&](int node, Point at) {
+                const ArrangementNode& other = arrangement.nodes[static_cast<std::size_t>(node)];
+                // Of two seeds the one that was born later goes.
+                if (is_seed(other) && node >= static_cast<int>(i)) return;
+                is_covered |= abs(at - seed.position) < covered * least_distance(ground, seed.symbol, other.symbol);
+            });
         if (is_covered) remove_node(arrangement, static_cast<int>(i));
     }
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "growth/arrangement/node_links.h"
+
 namespace rinceau {
 
 namespace {
@@ -21,8 +23,7 @@ const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) 
 
 }  // namespace
 
-ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at,
-                                   int except)
+ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, int except)
     : ground_(ground), weights_(ground.options.weights) {
     const Exemplar& exemplar = ground.exemplar;
     if (weights_.repeat != 0) {
@@ -65,21 +66,43 @@ const std::vector<int>& candidates_for(const GrowthGround& ground, int symbol) {
     return ground.usable_of[static_cast<std::size_t>(symbol)];
 }
 
-// Of a flow without forward and back, the seed goes the way of its neighbours.
+// Where no angle is given the seed goes the way of its neighbours: in mode rotate a ring that fits several ways is turned as
+// theirs are, and of a flow without forward and back one of both directions is theirs.
 double seed_angle(const ElementArrangement& arrangement, const GrowthGround& ground, int seed) {
     Complex hint;
     for (const RingLink& link : node_of(arrangement, seed).links)
         if (node_of(arrangement, link.other).reference >= 0) hint += polar(1, node_of(arrangement, link.other).angle);
+    if (ground.options.mode == RotationMode::rotate) return arg(hint);
     return ring_angle(ground, node_of(arrangement, seed).position, hint);
+}
+
+// The candidates in the order of trying: first what the exemplar has there in the neighbours' eyes, which mostly fits, so
+// that others are soon seen to cost more; then all from a random one on.
+std::vector<int> trial_order(const ElementArrangement& arrangement, const GrowthGround& ground, int seed,
+                             const std::vector<int>& candidates, Random& random) {
+    std::vector<int> order;
+    const int symbol = candidates.size() == ground.usable.size()
+                           ? -1
+                           : ground.exemplar.elements[static_cast<std::size_t>(candidates.front())].symbol;
+    for (const RingLink& link : node_of(arrangement, seed).links) {
+        const RingLink* back = link_to(arrangement, link.other, seed);
+        if (back->place < 0) continue;
+        const int parent = node_of(arrangement, link.other).reference;
+        const int wanted =
+            ground.exemplar.elements[static_cast<std::size_t>(parent)].ring.elements[static_cast<std::size_t>(back->place)];
+        const ExemplarElement& element = ground.exemplar.elements[static_cast<std::size_t>(wanted)];
+        if (element.usable && (symbol < 0 || element.symbol == symbol)) order.push_back(wanted);
+    }
+    const std::size_t first = random.below(static_cast<std::uint32_t>(candidates.size()));
+    for (std::size_t i = 0; i < candidates.size(); ++i) order.push_back(candidates[(first + i) % candidates.size()]);
+    return order;
 }
 
 // Keeps the cheapest; `base` and `match` as RingMatcher::match has them.
 template <class Match>
-ReferenceMatch cheapest(const std::vector<int>& candidates, const ReferenceCharges& charges, std::size_t first,
-                        Match&& match) {
+ReferenceMatch cheapest(const std::vector<int>& candidates, const ReferenceCharges& charges, Match&& match) {
     ReferenceMatch best;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const int reference = candidates[(first + i) % candidates.size()];
+    for (const int reference : candidates) {
         const double base = charges.of(reference);
         const double limit = best.cost - same_cost;
         if (!(base < limit)) continue;
@@ -94,16 +117,15 @@ ReferenceMatch cheapest(const std::vector<int>& candidates, const ReferenceCharg
 ReferenceMatch best_reference(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
                               int seed, const TargetRing& ring, Random& random) {
     const ArrangementNode& node = node_of(arrangement, seed);
-    const std::vector<int>& candidates = candidates_for(ground, node.symbol);
+    const std::vector<int> candidates = trial_order(arrangement, ground, seed, candidates_for(ground, node.symbol), random);
     const ReferenceCharges charges(arrangement, ground, node.position, seed);
     const double angle = seed_angle(arrangement, ground, seed);
-    const std::size_t first = random.below(static_cast<std::uint32_t>(candidates.size()));
-    ReferenceMatch best = cheapest(candidates, charges, first, [&](int reference, double base, double limit) {
+    ReferenceMatch best = cheapest(candidates, charges, [&](int reference, double base, double limit) {
         return matcher.match(ring, reference, angle, base, limit);
     });
     // More neighbours than any ring has places: no cyclic order takes them, but some of them can be matched.
     if (best.reference < 0)
-        best = cheapest(candidates, charges, first, [&](int reference, double base, double limit) {
+        best = cheapest(candidates, charges, [&](int reference, double base, double limit) {
             return matcher.match_near(ring, reference, angle, base, limit);
         });
     return best;

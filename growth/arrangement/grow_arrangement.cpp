@@ -6,6 +6,7 @@
 
 #include "geometry/angle.h"
 #include "growth/arrangement/node_links.h"
+#include "growth/arrangement/outline_contact.h"
 #include "growth/arrangement/place_element.h"
 #include "growth/arrangement/settle_arrangement.h"
 #include "growth/arrangement/stay_inside.h"
@@ -25,17 +26,6 @@ constexpr std::size_t report_every = 64;  // steps
 
 ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
-// Elements in the order of placing.
-std::vector<int> nodes_by_birth(const ElementArrangement& arrangement) {
-    std::vector<int> nodes;
-    for (std::size_t i = 0; i < arrangement.nodes.size(); ++i)
-        if (is_element(arrangement.nodes[i])) nodes.push_back(static_cast<int>(i));
-    std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
-        return arrangement.nodes[static_cast<std::size_t>(a)].birth < arrangement.nodes[static_cast<std::size_t>(b)].birth;
-    });
-    return nodes;
 }
 
 /// One call of grow().
@@ -131,7 +121,10 @@ bool Growing::place_seed(int seed) {
     const TargetRing ring = target_ring(arrangement_, ground_, seed);
     const auto place = [&](const ReferenceMatch& match) {
         const Point wanted = fitted_position(arrangement_, ground_, seed, ring, match);
-        const Point at = pushed_inside(ground_, match.reference, match.angle, wanted);
+        const Point inside = pushed_inside(ground_, match.reference, match.angle, wanted);
+        const std::optional<Point> free = free_position(arrangement_, ground_, {match.reference, inside, match.angle}, seed);
+        if (!free) return false;
+        const Point at = *free;
         if (is_cut(ground_, match.reference, match.angle, at)) return false;
         for (const int born : place_element(arrangement_, ground_, seed, ring, match, at)) enqueue(born);
         return true;
@@ -222,6 +215,16 @@ ElementArrangement with_seed(ElementArrangement arrangement, const Exemplar& exe
 ElementArrangement grow(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around,
                         const GrowOrder& order, const Progress& progress) {
     return Growing(std::move(arrangement), exemplar, around, order).run(progress);
+}
+
+std::vector<int> nodes_by_birth(const ElementArrangement& arrangement) {
+    std::vector<int> nodes;
+    for (std::size_t i = 0; i < arrangement.nodes.size(); ++i)
+        if (is_element(arrangement.nodes[i])) nodes.push_back(static_cast<int>(i));
+    std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
+        return arrangement.nodes[static_cast<std::size_t>(a)].birth < arrangement.nodes[static_cast<std::size_t>(b)].birth;
+    });
+    return nodes;
 }
 
 std::vector<ArrangedElement> arranged_elements(const ElementArrangement& arrangement) {

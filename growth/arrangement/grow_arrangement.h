@@ -23,11 +23,15 @@ ElementArrangement with_seed(ElementArrangement arrangement, const Exemplar& exe
 ElementArrangement grow(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around,
                         const GrowOrder& order, const Progress& progress = {});
 
-/// Relaxes the whole and, if the exemplar is irregular and options say so, thins, repairs and re-reads it (docs/growth.md).
-/// Afterwards: no outline crosses the boundary, nor another outline if those of the exemplar do not.
+/// Relaxes the whole and, if the exemplar is irregular and options say so, thins, repairs and re-reads it (docs/growth.md);
+/// what that takes out is grown again at the rim, if the order has a count: afterwards that many stand, or one in a hundred
+/// fewer. Without a count nothing is added but in holes. Afterwards: no outline crosses the boundary, nor another outline if
+/// those of the exemplar do not. grow() can go on from what comes back.
 ElementArrangement finished(ElementArrangement arrangement, const Exemplar& exemplar, const ArrangeSurroundings& around,
                             const GrowOrder& order = {}, const Progress& progress = {});
 
+/// The nodes that are elements, in the order of placing.
+std::vector<int> nodes_by_birth(const ElementArrangement& arrangement);
 /// What stands, in the order of placing.
 std::vector<ArrangedElement> arranged_elements(const ElementArrangement& arrangement);
 

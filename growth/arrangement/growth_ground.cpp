@@ -107,6 +107,8 @@ GrowthGround make_ground(const Exemplar& exemplar, const ArrangeSurroundings& ar
     fill_least_distances(ground);
     // A curved flow has no room for a lattice: rows must begin and end in it.
     ground.by_lattice = exemplar.lattice.has_value() && options.mode == RotationMode::fixed;
+    ground.exclusive = options.mode == RotationMode::flow && !exemplar.outlines_overlap;
+    ground.rigid = !exemplar.irregular && options.mode != RotationMode::flow;
     return ground;
 }
 

@@ -28,16 +28,18 @@ struct GrowthGround {
     const ArrangeSurroundings& around;
     const ArrangeOptions& options;
     std::vector<ReferenceRing> rings;         ///< by element of the exemplar
-    std::vector<Box> boxes;                      ///< of their outlines
+    std::vector<Box> boxes;                   ///< of their outlines
     std::vector<int> usable;                  ///< elements
     std::vector<std::vector<int>> usable_of;  ///< by symbol
     std::vector<std::vector<double>> least;   ///< distance of centres by symbols, finite
     std::vector<double> least_of;             ///< the least of a symbol to any
-    std::vector<double> reach_of;                ///< the largest of a symbol to any
+    std::vector<double> reach_of;             ///< the largest of a symbol to any
     double reach = 0;                         ///< the largest of `least`
-    double largest_radius = 0;                   ///< of an element
+    double largest_radius = 0;                ///< of an element
     int sub_ids = 0;                          ///< one more than the largest
     bool by_lattice = false;                  ///< neighbours are told by lattice index
+    bool exclusive = false;  ///< along a flow, of outlines that do not overlap: nothing may ever move into another one
+    bool rigid = false;  ///< a regular pattern: what does not fit at a line is left out, and nothing is pushed aside for it
 };
 
 GrowthGround make_ground(const Exemplar& exemplar, const ArrangeSurroundings& around, const ArrangeOptions& options);

@@ -17,7 +17,10 @@ namespace rinceau {
 namespace {
 
 constexpr double farthest_pair = 0.75;  // in mean edges: farther places are not the neighbour's
-constexpr double outer_weight = 0.5;    // of the second ring against the first
+constexpr double fit_gain = 0.2;        // in mean edges: a fitted turn seldom brings a neighbour nearer by more
+constexpr double turn_weight =
+    0.1;  // against a ring that is turned otherwise than its neighbours, of the weight of distance
+constexpr double outer_weight = 0.5;  // of the second ring against the first
 
 const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];
@@ -227,9 +230,13 @@ ReferenceMatch RingMatcher::match(const TargetRing& ring, int reference, double 
             const Complex turn = first / places.offsets[k];
             const double length = abs(turn);
             if (!(length > 0)) continue;
+            const double bound = std::min(limit, best.cost);
+            const double worth_fitting = bound + fit_gain * weights_.distance * static_cast<double>(ring.inner.size());
             turn_places(places, turn / length);
-            match_nearest(ring, places, base, std::numeric_limits<double>::infinity());
-            try_turn(ring, reference, fitted_turn(ring, places, turn / length), base, std::min(limit, best.cost), best);
+            if (!(match_nearest(ring, places, base, worth_fitting) < worth_fitting)) continue;
+            const Complex fitted = fitted_turn(ring, places, turn / length);
+            const double against = turn_weight * weights_.distance * (1 - dot(fitted, polar(1, angle)));
+            try_turn(ring, reference, fitted, base + against, bound, best);
         }
     }
     return best;
@@ -245,6 +252,12 @@ ReferenceMatch RingMatcher::match_near(const TargetRing& ring, int reference, do
         turn = fitted_turn(ring, places, turn);
     }
     try_turn(ring, reference, turn, base, limit, best);
+    return best;
+}
+
+ReferenceMatch RingMatcher::match_turned(const TargetRing& ring, int reference, double angle) {
+    ReferenceMatch best;
+    try_turn(ring, reference, polar(1, angle), 0, std::numeric_limits<double>::infinity(), best);
     return best;
 }
 

@@ -26,7 +26,8 @@ struct TargetRing {
 /// The node's neighbours.
 TargetRing target_ring(const ElementArrangement& arrangement, const GrowthGround& ground, int node);
 /// The same of nodes that are no neighbours yet.
-TargetRing ring_of_nodes(const ElementArrangement& arrangement, const GrowthGround& ground, int node, const std::vector<int>& others);
+TargetRing ring_of_nodes(const ElementArrangement& arrangement, const GrowthGround& ground, int node,
+                         const std::vector<int>& others);
 
 /// A matching of rings (the f of eq. 3).
 struct ReferenceMatch {
@@ -42,10 +43,13 @@ class RingMatcher {
     RingMatcher(const GrowthGround& ground, const MatchWeights& weights) : ground_(ground), weights_(weights) {}
 
     /// The best matching of the ring with the reference's that costs less than `limit`, on top of `base` (eq. 2, and eq. 4
-    /// in mode rotate); `angle` is that of the ring in the other modes. Nothing found: reference -1.
+    /// in mode rotate); `angle` is that of the ring in the other modes, and here the one to be preferred. Nothing found:
+    /// reference -1.
     ReferenceMatch match(const TargetRing& ring, int reference, double angle, double base, double limit);
     /// The same by nearest places in mode rotate for a ring whose angle is nearly known.
     ReferenceMatch match_near(const TargetRing& ring, int reference, double angle, double base, double limit);
+    /// The matching by nearest places with a ring that is turned by `angle`, whatever it costs.
+    ReferenceMatch match_turned(const TargetRing& ring, int reference, double angle);
 
   private:
     void turn_places(const ReferenceRing& ring, Complex turn);

@@ -60,6 +60,15 @@ void remove_node(ElementArrangement& arrangement, int node) {
     gone.dead = true;
 }
 
+void become_seed(ElementArrangement& arrangement, int element) {
+    ArrangementNode& node = node_of(arrangement, element);
+    --arrangement.elements;
+    --arrangement.counts[static_cast<std::size_t>(node.symbol)];
+    node.reference = -1;
+    for (RingLink& link : node.links) link.place = -1;
+    arrangement.queue.push({abs(node.position - *arrangement.start), element});
+}
+
 RingLink* link_to(ElementArrangement& arrangement, int node, int other) {
     for (RingLink& link : node_of(arrangement, node).links)
         if (link.other == other) return &link;

@@ -14,6 +14,9 @@ void move_node(ElementArrangement& arrangement, int node, Point to);
 /// Takes a node and its links away; seeds that wait for it do not any more.
 void remove_node(ElementArrangement& arrangement, int node);
 
+/// An element becomes a seed of its symbol again; its neighbours keep it in their rings.
+void become_seed(ElementArrangement& arrangement, int element);
+
 /// The link of `node` to `other`, or null.
 RingLink* link_to(ElementArrangement& arrangement, int node, int other);
 const RingLink* link_to(const ElementArrangement& arrangement, int node, int other);

@@ -12,6 +12,10 @@ namespace rinceau {
 namespace {
 
 constexpr double touching = 5e-5;  // of the smaller area
+constexpr int bisections = 6;      // of the way that a pair is pushed apart
+constexpr int free_rounds = 5;
+constexpr double farthest_free = 1.0 / 3;  // mean edges
+constexpr double clearance = 4e-3;         // mean edges between outlines that were pushed apart
 
 Region placed_outline(const ExemplarElement& element, Point position, double angle) {
     Region placed = element.outline;
@@ -87,12 +91,13 @@ bool outlines_overlap(const GrowthGround& ground, const PlacedReference& a, cons
     if (!overlap(box_a, box_b)) return false;
     const Box common{{std::max(box_a.low.x, box_b.low.x), std::max(box_a.low.y, box_b.low.y)},
                      {std::min(box_a.high.x, box_b.high.x), std::min(box_a.high.y, box_b.high.y)}};
-    if (!edges_meet(first, second, common) && !any_ring_inside(first, second) && !any_ring_inside(second, first)) return false;
+    if (!edges_meet(first, second, common) && !any_ring_inside(first, second) && !any_ring_inside(second, first))
+        return false;
     return area(intersection_of(first, second)) > touching * std::min(area(first), area(second));
 }
 
-std::vector<int> overlapped_elements(const ElementArrangement& arrangement, const GrowthGround& ground, const PlacedReference& placed,
-                                     int except) {
+std::vector<int> overlapped_elements(const ElementArrangement& arrangement, const GrowthGround& ground,
+                                     const PlacedReference& placed, int except) {
     const double reach = ground.exemplar.elements[static_cast<std::size_t>(placed.reference)].radius + ground.largest_radius;
     std::vector<int> overlapped;
     arrangement.grid.visit(placed.position, reach, [&](int node, Point) {
@@ -110,6 +115,45 @@ double outline_extent(const ExemplarElement& element, double angle, Point direct
     for (const std::vector<Point>& ring : element.outline)
         for (const Point p : ring) reach = std::max(reach, dot(p, own));
     return reach;
+}
+
+Point parting_way(Point from, Point to) {
+    const double distance = abs(to - from);
+    return distance > 0 ? (to - from) / distance : Point{1, 0};
+}
+
+double parting_distance(const GrowthGround& ground, const PlacedReference& a, const PlacedReference& b) {
+    const auto& elements = ground.exemplar.elements;
+    const Point way = parting_way(a.position, b.position);
+    // Convex outlines are apart at the latest where their extents are.
+    double enough = outline_extent(elements[static_cast<std::size_t>(a.reference)], a.angle, way) +
+                    outline_extent(elements[static_cast<std::size_t>(b.reference)], b.angle, -way) -
+                    abs(b.position - a.position);
+    double too_little = 0;
+    for (int i = 0; i < bisections; ++i) {
+        const double middle = 0.5 * (too_little + enough);
+        PlacedReference moved = b;
+        moved.position += middle * way;
+        (outlines_overlap(ground, a, moved) ? too_little : enough) = middle;
+    }
+    return enough + clearance * ground.exemplar.mean_edge;
+}
+
+std::optional<Point> free_position(const ElementArrangement& arrangement, const GrowthGround& ground,
+                                   const PlacedReference& placed, int except) {
+    if (!ground.exclusive) return placed.position;
+    PlacedReference moved = placed;
+    for (int round = 0; round < free_rounds; ++round) {
+        const std::vector<int> others = overlapped_elements(arrangement, ground, moved, except);
+        if (others.empty()) return moved.position;
+        for (const int other : others) {
+            const PlacedReference second = placed_reference(arrangement.nodes[static_cast<std::size_t>(other)]);
+            if (!outlines_overlap(ground, second, moved)) continue;
+            moved.position += parting_distance(ground, second, moved) * parting_way(second.position, moved.position);
+        }
+        if (abs(moved.position - placed.position) > farthest_free * ground.exemplar.mean_edge) return std::nullopt;
+    }
+    return std::nullopt;
 }
 
 }  // namespace rinceau

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "growth/arrangement/node_links.h"
+#include "growth/arrangement/outline_contact.h"
 
 namespace rinceau {
 
@@ -46,6 +47,12 @@ double fitted_angle(const ElementArrangement& arrangement, const GrowthGround& g
     return norm(sum) > 0 ? arg(sum) : node.angle;
 }
 
+bool would_overlap(const ElementArrangement& arrangement, const GrowthGround& ground, int node, Point to) {
+    const ArrangementNode& moved = node_of(arrangement, node);
+    return moved.reference >= 0 &&
+           !overlapped_elements(arrangement, ground, {moved.reference, to, moved.angle}, node).empty();
+}
+
 }  // namespace
 
 double ring_energy(const ElementArrangement& arrangement) {
@@ -76,6 +83,7 @@ void relax_in_turn(ElementArrangement& arrangement, const GrowthGround& ground, 
         if (node_of(arrangement, node).held) continue;
         const std::optional<Point> to = best_position(arrangement, node);
         if (!to || (bounded && is_barred(ground, node_of(arrangement, node).position, *to))) continue;
+        if (ground.exclusive && would_overlap(arrangement, ground, node, *to)) continue;
         move_node(arrangement, node, *to);
     }
 }
@@ -84,7 +92,8 @@ void refit_angles(ElementArrangement& arrangement, const GrowthGround& ground, c
     if (ground.options.mode == RotationMode::fixed) return;
     for (const int index : nodes) {
         ArrangementNode& node = arrangement.nodes[static_cast<std::size_t>(index)];
-        if (!is_element(node)) continue;
+        // An outline that turned after it was placed could come over another one.
+        if (!is_element(node) || ground.exclusive) continue;
         node.angle = ground.options.mode == RotationMode::rotate ? fitted_angle(arrangement, ground, node)
                                                                  : ring_angle(ground, node.position, polar(1, node.angle));
         for (RingLink& link : node.links)

@@ -14,7 +14,7 @@ double ring_energy(const ElementArrangement& arrangement);
 std::vector<int> nodes_around(const ElementArrangement& arrangement, int node, int links);
 
 /// Moves each of the nodes, in this order, to where eq. 5 is least while all others stand still. Held nodes and moves over a
-/// boundary line are left out. The energy never rises.
+/// boundary line, and along a flow into another outline, are left out. The energy never rises.
 void relax_in_turn(ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<int>& nodes);
 
 /// In modes rotate and flow: the angles of the elements follow what surrounds them or the flow, and their targets turn with

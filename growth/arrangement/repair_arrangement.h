@@ -13,10 +13,18 @@ void thin_out(ElementArrangement& arrangement, const GrowthGround& ground, const
 /// Of two elements that are nearer than `share` of their least distance takes out the smaller one.
 void drop_crowded(ElementArrangement& arrangement, const GrowthGround& ground, double share);
 
-/// Places an element in each circle without a centre that is `slack` times larger than any of the exemplar's, where one fits:
-/// at no less than `share` of the least distances and, if `clear`, with no outline over another one. Places where growth can
-/// go on are no holes. Returns the new elements, linked with those around them.
-std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh, double slack,
-                            double share, bool clear);
+/// How large a hole may be, as the exemplar's are.
+struct HoleLimits {
+    double empty = 0;  ///< radius of a circle without a centre
+    double gap = 0;    ///< radius of a circle that is clear of the circles about elements
+};
+/// The largest of the exemplar, `slack` times.
+HoleLimits hole_limits(const GrowthGround& ground, double slack);
+
+/// Places an element in each hole beyond the limits, where one fits: at no less than `share` of the least distances and, if
+/// `clear`, with no outline over another one. Places where growth can go on are no holes. Returns the new elements, linked
+/// with those around them.
+std::vector<int> fill_holes(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh,
+                            const HoleLimits& limits, double share, bool clear);
 
 }  // namespace rinceau

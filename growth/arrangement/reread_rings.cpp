@@ -10,9 +10,9 @@ namespace rinceau {
 
 namespace {
 
-constexpr double fits = 0.35;            // mean edges
+constexpr double fits = 0.35;              // mean edges
 constexpr double misfit_unmatched = 0.75;  // mean edges: farther, no place is matched
-constexpr double missing_cost = 0.4;     // of the weight of distance, for each place of a whole ring that stays empty
+constexpr double missing_cost = 0.4;       // of the weight of distance, for each place of a whole ring that stays empty
 
 ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
     return arrangement.nodes[static_cast<std::size_t>(node)];
@@ -49,8 +49,8 @@ std::vector<char> relink(ElementArrangement& arrangement, const ArrangementMesh&
     return unchanged;
 }
 
-ReferenceMatch best_reading(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher, int element,
-                            bool whole) {
+ReferenceMatch best_reading(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
+                            int element, bool whole) {
     const ArrangementNode& node = arrangement.nodes[static_cast<std::size_t>(element)];
     const TargetRing ring = target_ring(arrangement, ground, element);
     const ReferenceCharges charges(arrangement, ground, node.position, element);
@@ -69,6 +69,37 @@ ReferenceMatch best_reading(const ElementArrangement& arrangement, const GrowthG
     return best;
 }
 
+// Places of the ring for an element that stays as it is.
+ReferenceMatch same_reading(const ElementArrangement& arrangement, const GrowthGround& ground, RingMatcher& matcher,
+                            int element) {
+    const ArrangementNode& node = arrangement.nodes[static_cast<std::size_t>(element)];
+    ReferenceMatch match = matcher.match_turned(target_ring(arrangement, ground, element), node.reference, node.angle);
+    match.angle = node.angle;
+    return match;
+}
+
+void reread(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh, bool choose) {
+    const std::vector<char> unchanged = relink(arrangement, mesh);
+    MatchWeights weights = ground.options.weights;
+    weights.sub_id = 0;  // neighbours may stay who they are
+    RingMatcher matcher(ground, weights);
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+        const int element = mesh.nodes[i];
+        ArrangementNode& node = node_of(arrangement, element);
+        if (node.reference < 0) continue;
+        if (unchanged[static_cast<std::size_t>(element)] != 0 && ring_misfit(arrangement, ground, element) < fits) continue;
+        const ReferenceMatch match = choose ? best_reading(arrangement, ground, matcher, element, mesh.connectivity.inner[i])
+                                            : same_reading(arrangement, ground, matcher, element);
+        const TargetRing ring = target_ring(arrangement, ground, element);
+        for (RingLink& link : node.links) link.place = -1;
+        if (match.reference < 0) continue;
+        node.reference = match.reference;
+        node.angle = match.angle;
+        for (std::size_t k = 0; k < ring.inner.size(); ++k)
+            if (match.places[k] >= 0) fill_place(arrangement, ground, element, ring.inner[k].node, match.places[k]);
+    }
+}
+
 }  // namespace
 
 double ring_misfit(const ElementArrangement& arrangement, const GrowthGround& ground, int element) {
@@ -83,24 +114,11 @@ double ring_misfit(const ElementArrangement& arrangement, const GrowthGround& gr
 }
 
 void reread_rings(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh) {
-    const std::vector<char> unchanged = relink(arrangement, mesh);
-    MatchWeights weights = ground.options.weights;
-    weights.sub_id = 0;  // neighbours may stay who they are
-    RingMatcher matcher(ground, weights);
-    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-        const int element = mesh.nodes[i];
-        ArrangementNode& node = node_of(arrangement, element);
-        if (node.reference < 0) continue;
-        if (unchanged[static_cast<std::size_t>(element)] != 0 && ring_misfit(arrangement, ground, element) < fits) continue;
-        const ReferenceMatch match = best_reading(arrangement, ground, matcher, element, mesh.connectivity.inner[i]);
-        const TargetRing ring = target_ring(arrangement, ground, element);
-        for (RingLink& link : node.links) link.place = -1;
-        if (match.reference < 0) continue;
-        node.reference = match.reference;
-        node.angle = match.angle;
-        for (std::size_t k = 0; k < ring.inner.size(); ++k)
-            if (match.places[k] >= 0) fill_place(arrangement, ground, element, ring.inner[k].node, match.places[k]);
-    }
+    reread(arrangement, ground, mesh, true);
+}
+
+void relink_rings(ElementArrangement& arrangement, const GrowthGround& ground, const ArrangementMesh& mesh) {
+    reread(arrangement, ground, mesh, false);
 }
 
 }  // namespace rinceau

@@ -25,7 +25,7 @@ bool is_cut(const GrowthGround& ground, int reference, double angle, Point at) {
 
 Point pushed_inside(const GrowthGround& ground, int reference, double angle, Point at) {
     const Boundary* boundary = ground.around.boundary.get();
-    if (boundary == nullptr || boundary->is_empty()) return at;
+    if (boundary == nullptr || boundary->is_empty() || ground.rigid) return at;
     const ExemplarElement& element = ground.exemplar.elements[static_cast<std::size_t>(reference)];
     const double margin = clearance * ground.exemplar.mean_edge;
     for (int round = 0; round < push_rounds; ++round) {
@@ -44,7 +44,7 @@ Point pushed_inside(const GrowthGround& ground, int reference, double angle, Poi
 }
 
 void push_inside(ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<int>& nodes) {
-    if (ground.around.boundary == nullptr || ground.around.boundary->is_empty()) return;
+    if (ground.around.boundary == nullptr || ground.around.boundary->is_empty() || ground.rigid) return;
     for (const int index : nodes) {
         const ArrangementNode& node = arrangement.nodes[static_cast<std::size_t>(index)];
         if (!is_element(node) || node.held) continue;

@@ -16,10 +16,8 @@ namespace rinceau {
 namespace {
 
 constexpr int untangle_rounds = 16;
-constexpr int bisections = 6;         // of the way that a pair is pushed apart
 constexpr double small_push = 0.06;   // mean edges: so little is not seen
 constexpr double largest_push = 0.3;  // mean edges, in one round
-constexpr double clearance = 1e-3;    // mean edges between outlines that were pushed apart
 
 using ElementPair = std::pair<int, int>;
 
@@ -35,7 +33,8 @@ std::vector<int> all_elements(const ElementArrangement& arrangement) {
 }
 
 // Pairs that overlap and have one of the elements in them, each once, sorted.
-std::vector<ElementPair> overlapping_pairs_of(const ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<int>& elements) {
+std::vector<ElementPair> overlapping_pairs_of(const ElementArrangement& arrangement, const GrowthGround& ground,
+                                              const std::vector<int>& elements) {
     std::vector<char> asked(arrangement.nodes.size(), 0);
     std::vector<ElementPair> pairs;
     for (const int element : elements) {
@@ -43,7 +42,8 @@ std::vector<ElementPair> overlapping_pairs_of(const ElementArrangement& arrangem
         if (!is_element(node) || asked[static_cast<std::size_t>(element)] != 0) continue;
         asked[static_cast<std::size_t>(element)] = 1;
         const PlacedReference placed = placed_reference(node);
-        const double reach = ground.exemplar.elements[static_cast<std::size_t>(node.reference)].radius + ground.largest_radius;
+        const double reach =
+            ground.exemplar.elements[static_cast<std::size_t>(node.reference)].radius + ground.largest_radius;
         arrangement.grid.visit(node.position, reach, [&](int other, Point) {
             const ArrangementNode& second = arrangement.nodes[static_cast<std::size_t>(other)];
             if (asked[static_cast<std::size_t>(other)] != 0 || !is_element(second)) return;
@@ -60,30 +60,10 @@ bool overlap_now(const ElementArrangement& arrangement, const GrowthGround& grou
     return is_element(a) && is_element(b) && outlines_overlap(ground, placed_reference(a), placed_reference(b));
 }
 
-// The way along the line of centres that parts a pair.
-double missing_distance(const GrowthGround& ground, const ArrangementNode& a, const ArrangementNode& b, Point way) {
-    const auto& elements = ground.exemplar.elements;
-    double enough = outline_extent(elements[static_cast<std::size_t>(a.reference)], a.angle, way) +
-                    outline_extent(elements[static_cast<std::size_t>(b.reference)], b.angle, -way) - abs(b.position - a.position);
-    double too_little = 0;
-    for (int i = 0; i < bisections; ++i) {
-        const double middle = 0.5 * (too_little + enough);
-        PlacedReference moved = placed_reference(b);
-        moved.position += middle * way;
-        (outlines_overlap(ground, placed_reference(a), moved) ? too_little : enough) = middle;
-    }
-    return enough + clearance * ground.exemplar.mean_edge;
-}
-
-Point way_between(const ArrangementNode& a, const ArrangementNode& b) {
-    const double distance = abs(b.position - a.position);
-    return distance > 0 ? (b.position - a.position) / distance : Point{1, 0};
-}
-
 void push_pair(ElementArrangement& arrangement, const GrowthGround& ground, const ElementPair& pair, double distance) {
     const ArrangementNode& a = node_of(arrangement, pair.first);
     const ArrangementNode& b = node_of(arrangement, pair.second);
-    const Point way = way_between(a, b);
+    const Point way = parting_way(a.position, b.position);
     const double share = a.held ? 0 : b.held ? 1 : 0.5;
     const auto move = [&](int node, Point to) {
         const ArrangementNode& moved = node_of(arrangement, node);
@@ -110,7 +90,8 @@ bool exchange(ElementArrangement& arrangement, const GrowthGround& ground, int e
     std::stable_sort(matches.begin(), matches.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
     for (const ReferenceMatch& match : matches) {
         if (is_cut(ground, match.reference, match.angle, node.position)) continue;
-        if (!overlapped_elements(arrangement, ground, {match.reference, node.position, match.angle}, element).empty()) continue;
+        if (!overlapped_elements(arrangement, ground, {match.reference, node.position, match.angle}, element).empty())
+            continue;
         ArrangementNode& changed = node_of(arrangement, element);
         changed.reference = match.reference;
         changed.angle = match.angle;
@@ -126,6 +107,12 @@ bool exchange(ElementArrangement& arrangement, const GrowthGround& ground, int e
 
 void untangle_outlines(ElementArrangement& arrangement, const GrowthGround& ground) {
     std::vector<int> changed = all_elements(arrangement);
+    std::vector<char> tried(arrangement.nodes.size(), 0);
+    const auto exchange_once = [&](int element) {
+        if (tried[static_cast<std::size_t>(element)] != 0) return false;
+        tried[static_cast<std::size_t>(element)] = 1;
+        return exchange(arrangement, ground, element);
+    };
     for (int round = 0; round < untangle_rounds && !changed.empty(); ++round) {
         const std::vector<ElementPair> pairs = overlapping_pairs_of(arrangement, ground, changed);
         changed.clear();
@@ -135,11 +122,9 @@ void untangle_outlines(ElementArrangement& arrangement, const GrowthGround& grou
             changed.push_back(pair.second);
             const ArrangementNode& a = node_of(arrangement, pair.first);
             const ArrangementNode& b = node_of(arrangement, pair.second);
-            const double missing = missing_distance(ground, a, b, way_between(a, b));
+            const double missing = parting_distance(ground, placed_reference(a), placed_reference(b));
             const double edge = ground.exemplar.mean_edge;
-            if (missing > small_push * edge &&
-                (exchange(arrangement, ground, pair.first) || exchange(arrangement, ground, pair.second)))
-                continue;
+            if (missing > small_push * edge && (exchange_once(pair.first) || exchange_once(pair.second))) continue;
             push_pair(arrangement, ground, pair, std::min(missing, largest_push * edge));
         }
     }

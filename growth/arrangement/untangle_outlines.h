@@ -5,8 +5,9 @@
 
 namespace rinceau {
 
-/// Of each two elements whose outlines overlap: pushes them apart if little is missing; else exchanges one for another of its
-/// kind whose outline fits there; else pushes them apart further. Ends when none overlap or after a bounded number of rounds.
+/// Of each two elements whose outlines overlap: pushes them apart if little is missing; else exchanges one for another of
+/// its kind whose outline fits there; else pushes them apart further. Ends when none overlap or after a bounded number of
+/// rounds.
 void untangle_outlines(ElementArrangement& arrangement, const GrowthGround& ground);
 
 /// Takes out what still overlaps, as few as can be told, smaller ones first.

@@ -96,7 +96,7 @@ TEST_CASE("arrange draws who is whose neighbour") {
     const ScratchFolder scratch;
     const std::string edges = scratch.file("edges.svg"), numbers = scratch.file("numbers.svg");
     REQUIRE(run_rinceau({"arrange", dots, "--count", "20", "--connectivity", edges, "--numbering", numbers}).status == 0);
-    CHECK(occurrences(read_file(edges), "<circle") == 20);
+    CHECK(occurrences(read_file(edges), "<use") == 20);
     CHECK(occurrences(read_file(numbers), "<path") > 56);  // outlines, edges and numbers
 }
 

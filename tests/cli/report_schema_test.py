@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says, those of
+arranging as docs/arrange_report.schema.json and of
 packing as docs/pack_report.schema.json says."""
 
 import json
@@ -33,6 +34,7 @@ def main(program, source):
             if sum(t["instances"] for t in report["terminals"]) != report["elements"]:
                 faults.append("%s: the terminals' instances are not the elements" % drawing.name)
     faults += unable_to_refuse(schema, validator, report)
+    faults += arrange_faults(program, source)
     faults += pack_faults(program, source)
     sys.exit("\n".join(faults) or 0)
 
@@ -40,6 +42,21 @@ def main(program, source):
 def unable_to_refuse(schema, validator, report):
     return ["the schema lets '%s' be left out" % key for key in schema["required"]
             if validator.is_valid({k: v for k, v in report.items() if k != key})]
+
+
+def arrange_faults(program, source):
+    schema = json.loads((source / "docs" / "arrange_report.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    with tempfile.TemporaryDirectory() as folder:
+        name = pathlib.Path(folder) / "report.json"
+        subprocess.run([program, "arrange", str(source / "samples/growth/stones.svg"), "--size", "200,200",
+                        "--report", str(name)], check=True, capture_output=True)
+        report = json.loads(name.read_text(encoding="utf-8"))
+    faults = ["arrange: %s" % error.message for error in validator.iter_errors(report)]
+    if not 0 < report["drawn"] <= report["elements"]:
+        faults.append("arrange: more is drawn than has grown, or nothing")
+    return faults + unable_to_refuse(schema, validator, report)
 
 
 def pack_faults(program, source):
