@@ -118,7 +118,7 @@ void say_summary(const Grown& grown, const ArrangeSettings& settings) {
 /// The tile that the command line asks for, or that the drawing evidently is.
 std::optional<Box> tile_of(const ArrangeSettings& settings, const GrowthInput& input) {
     if (settings.tile) return *settings.tile ? std::optional(input.drawing.grammar.canvas) : std::nullopt;
-    const std::optional<Box> tile = likely_tile(input.drawing);
+    const std::optional<Box> tile = sensible_tile(input.drawing);
     if (tile) say(input.label + " looks like a tile that repeats, and is taken for one; --no-tile takes it as it is");
     return tile;
 }
@@ -132,6 +132,10 @@ int run_arrange(const ArrangeSettings& settings) {
     exemplar_options.tile = tile_of(settings, input);
     if (exemplar_options.tile) input.drawing = as_tile(input.drawing, *exemplar_options.tile);
     const Exemplar exemplar = make_exemplar(input.drawing, exemplar_options, input.label);
+    for (const std::string& warning : exemplar.warnings) {
+        say("warning: " + input.label + ": " + warning);
+        input.warnings.push_back(warning);
+    }
     if (!settings.numbering.empty()) write_output(settings.numbering, write_svg(connectivity_picture(exemplar)));
     const ArrangeGround ground = read_arrange_ground(settings, exemplar, exemplar_canvas);
     ArrangeSeconds seconds{.input = seconds_since(start)};

@@ -215,7 +215,9 @@ std::vector<TorusElement> torus_elements(const FiguredDrawing& drawing, const Ti
 
 /// A figure of the pieces where the tile's edge brings them together.
 FigureInstance joined_pieces(const TorusElement& element, FiguredDrawing& drawing) {
+    constexpr double overlap_half = 0.004;  // of a piece: as much as it takes to hide a seam
     Region outline;
+    Region shrunk;  // the pieces, each made smaller: together still one where they overlap
     Figure figure;
     std::vector<Placement> parts;
     for (const auto& [i, move] : element.pieces) {
@@ -223,6 +225,7 @@ FigureInstance joined_pieces(const TorusElement& element, FiguredDrawing& drawin
         instance.pose.translation += move;
         const Region piece = outline_of(drawing, instance);
         outline = outline.empty() ? piece : union_of(outline, piece);
+        shrunk = union_of(shrunk, offset_region(piece, -overlap_half * diagonal(bounds(piece))));
         const Figure& own = drawing.figures[static_cast<std::size_t>(instance.figure)];
         if (figure.symbol.empty()) figure.symbol = own.symbol + ".joined" + std::to_string(drawing.figures.size());
         for (Placement part : own.parts) {
@@ -230,18 +233,19 @@ FigureInstance joined_pieces(const TorusElement& element, FiguredDrawing& drawin
             parts.push_back(std::move(part));
         }
     }
-    constexpr double seam = 0.01;  // of the element: pieces end a hair before the edge
-    const double closing = seam * diagonal(bounds(outline));
-    outline = offset_region(offset_region(outline, closing), -closing);
+    constexpr double seam = 0.01;  // of the element: pieces may end a hair before the edge
+    const double hair = seam * diagonal(bounds(outline));
+    // pieces that barely meet, and outlines with their ends at the edge, would show where they were cut
+    const bool seamless = outline.size() == 1 && shrunk.size() == 1;
+    outline = offset_region(offset_region(outline, hair), -hair);
     const Similarity frame = translate(center(bounds(outline)));
     figure.outline = transformed(outline, inverse(frame));
     for (const auto& polygon : figure.outline)
         for (const Point corner : polygon) figure.radius = std::max(figure.radius, abs(corner));
     for (Placement& part : parts) part.pose = inverse(frame) * part.pose;
     figure.parts = std::move(parts);
-    const bool solid = figure.outline.size() == 1;
     drawing.figures.push_back(std::move(figure));
-    return {static_cast<int>(drawing.figures.size()) - 1, frame, solid};
+    return {static_cast<int>(drawing.figures.size()) - 1, frame, seamless};
 }
 
 bool holds_kept_text(const FiguredDrawing& drawing, const FigureInstance& instance) {

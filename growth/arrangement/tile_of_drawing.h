@@ -21,8 +21,8 @@ std::optional<Box> likely_tile(const FiguredDrawing& drawing);
 std::optional<Box> sensible_tile(const FiguredDrawing& drawing, const ExemplarOptions& options = {});
 
 /// The drawing with each element once: of copies that are a tile apart the one whose middle lies in the tile stays and is
-/// whole; pieces that meet across the tile's edge become one element, of a figure of its own, which is whole if its ink has
-/// no holes (else the cut would show); middles are moved into the tile.
+/// whole; pieces that meet across the tile's edge become one element, of a figure of its own, which is whole if they overlap
+/// so that no seam shows; middles are moved into the tile.
 FiguredDrawing as_tile(const FiguredDrawing& drawing, const Box& tile);
 
 }  // namespace rinceau

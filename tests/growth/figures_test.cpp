@@ -218,9 +218,9 @@ TEST_CASE("a drawing whose edges go on at the opposite ones is a tile, and its c
     std::string wall;
     for (int i = 1; i < 10; ++i) wall += at(1, 10 * i, "S") + at(99, 10 * i, "S") + at(50, 10 * i, "S");
     CHECK_FALSE(evident_tile(figures_of(grammar_with(wall))));
-    // bars that the edge has cut in two: each piece ends at the edge
+    // bars that the edge has cut in two: each piece ends a little beyond the edge
     const std::string pieces =
-        at(2.5, 25, "+(0) *(0.625) A") + at(98.5, 25, "*(0.375) A") + at(1.5, 60, "*(0.375) A") + at(97.5, 60, "*(0.625) A");
+        at(2.4, 25, "+(0) *(0.625) A") + at(98.6, 25, "*(0.375) A") + at(1.4, 60, "*(0.375) A") + at(97.6, 60, "*(0.625) A");
     const FiguredDrawing cut = figures_of(grammar_with(scattered("A", false) + pieces));
     REQUIRE(evident_tile(cut));
     const FiguredDrawing joined = as_tile(cut, *evident_tile(cut));
