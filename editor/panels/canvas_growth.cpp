@@ -43,7 +43,7 @@ void draw_stroke(const DrawnStroke& stroke, const CanvasPlace& place, const Pane
     std::vector<ImVec2> points;
     for (const Point& corner : stroke) points.push_back(to_window(place, corner));
     const ImU32 color = flow ? flow_color : boundary_color;
-    ImGui::GetWindowDrawList()->AddDrawnStroke(points.data(), static_cast<int>(points.size()), color, 0,
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0,
                                                thickness * tools.scale);
     if (flow && points.size() >= 2) draw_arrow(points, color, arrow * tools.scale);
 }
