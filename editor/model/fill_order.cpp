@@ -112,7 +112,8 @@ class Filling {
         pattern.picture = picture_;
         const double whole = domain_.region ? area(*domain_.region) : width(domain_.box) * height(domain_.box);
         char text[64];
-        std::snprintf(text, sizeof text, "%zu shapes cover %.1f %%", fill_.placed().size(), 100 * covered / whole);
+        std::snprintf(text, sizeof text, "%zu %s %.1f %%", fill_.placed().size(),
+                      fill_.placed().size() == 1 ? "shape covers" : "shapes cover", 100 * covered / whole);
         pattern.told = text;
         return pattern;
     }

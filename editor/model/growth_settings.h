@@ -53,7 +53,7 @@ enum class PackTurn : unsigned char { any, none, quarters, within };
 struct AggregateSettings {
     std::map<int, ShapeChoice> shapes;  ///< by FiguredDrawing::figures; those that are not here are used alike
     std::string region;                 ///< file of an SVG whose closed outlines are filled; empty = the canvas
-    double canvas = 1;                  ///< width and height of what is filled, of the document's canvas
+    double canvas = 4;                  ///< width and height of what is filled, of the document's canvas
     bool tiled = false;
     double min_scale = 1, max_scale = 1;
     double margin = 0;  ///< scene length that shapes keep from each other, half of it each

@@ -33,7 +33,7 @@ std::string figures(const EditorState& state) {
     std::string text = counted(picture->items.size(), "element", "elements");
     text += apart + counted(rules, "rule", "rules");
     text += apart + formatted("%.3g %%", percent * state.canvas.view.zoom);
-    text += apart + formatted("%.1f ms", milliseconds * picture->seconds);
+    if (picture->seconds > 0) text += apart + formatted("%.1f ms", milliseconds * picture->seconds);
     return text;
 }
 

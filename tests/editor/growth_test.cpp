@@ -295,6 +295,7 @@ TEST_CASE("a grid grows on by the real workers, is used, and the aggregate of it
     desk.changeable().document = with_grammar(empty_document(), parse_grammar(dots, "dots"));
     GrowthSettings settings;
     settings.arrangement.count = 150;
+    settings.aggregate.canvas = 1;
     desk.act(GrowthAction{SetGrowth{settings}});
     desk.act(GrowthAction{BeginGrowth{}});
     desk.until([&] { return !is_busy(desk.state()); });
