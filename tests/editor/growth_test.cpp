@@ -17,7 +17,7 @@ using namespace rinceau;
 namespace {
 
 constexpr const char* dots = R"(lsystem 1
-canvas -5 -5 85 65
+canvas -5 -55 70 60
 axiom: Row(7)
 Row(m) : m > 0 -> [Column(6)] -(90) f(10) +(90) Row(m-1)
 Column(m) : m > 0 -> [Dot] f(10) Column(m-1)
@@ -266,6 +266,7 @@ TEST_CASE("what was dropped brings nothing any more, and another document begins
     desk.act(PatternGrown{asked.job, two_dots(asked.order->source), true});
     CHECK_FALSE(has_grown(desk.state));
     desk = grown_desk();
+    desk.state.file.saved = desk.state.document;
     desk.act(Action{FileAction{NewDocument{}}});
     CHECK_FALSE(has_grown(desk.state));
     CHECK_FALSE(shows_grown(desk.state));
@@ -315,7 +316,7 @@ TEST_CASE("a grid grows on by the real workers, is used, and the aggregate of it
     const auto filled = desk.state().growth.grown;
     REQUIRE(filled);
     CHECK(filled->kind == GrowthTab::aggregate);
-    CHECK(filled->placed.size() > 80);  // squares of 4 in 80 x 60
+    CHECK(filled->placed.size() > 80);  // squares of 4 in 70 x 60
     for (std::size_t i = 0; i < filled->placed.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             CHECK(abs(filled->placed[i].pose.translation - filled->placed[k].pose.translation) >= 4);
