@@ -1,6 +1,7 @@
 // Growth in the editor: what it does to the state and to the document; the work itself is tested with the library.
 
 #include <catch2/catch.hpp>
+#include <type_traits>
 
 #include <algorithm>
 
@@ -30,8 +31,14 @@ struct Desk {
     EditorState state = initial_state();
     Requests requests;
 
-    void act(const GrowthAction& action) { act(Action{action}); }
-    void act(const Action& action) {
+    /// An action, or one of growth's.
+    template <class Done>
+    void act(const Done& done) {
+        Action action;
+        if constexpr (std::is_same_v<Done, Action>)
+            action = done;
+        else
+            action = GrowthAction{done};
         Update next = update(std::move(state), action);
         state = std::move(next.state);
         std::ranges::move(next.requests, std::back_inserter(requests));
