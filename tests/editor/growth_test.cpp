@@ -1,12 +1,14 @@
 // Growth in the editor: what it does to the state and to the document; the work itself is tested with the library.
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <type_traits>
+
+#include <catch2/catch.hpp>
 
 #include "editor/effects/read_document.h"
 #include "editor/model/arrange_order.h"
 #include "editor/model/command.h"
+#include "editor/model/fill_order.h"
 #include "editor/model/growth_view.h"
 #include "editor/model/update.h"
 #include "editor_desk.h"
@@ -30,8 +32,14 @@ struct Desk {
     EditorState state = initial_state();
     Requests requests;
 
-    void act(const GrowthAction& action) { act(Action{action}); }
-    void act(const Action& action) {
+    /// An action, or one of growth's.
+    template <class Done>
+    void act(const Done& done) {
+        Action action;
+        if constexpr (std::is_constructible_v<GrowthAction, const Done&>)
+            action = GrowthAction{done};
+        else
+            action = done;
         Update next = update(std::move(state), action);
         state = std::move(next.state);
         std::ranges::move(next.requests, std::back_inserter(requests));
