@@ -147,7 +147,7 @@ TEST_CASE("Aggregates keep to regions with holes, to circles about shapes, and t
     CHECK(placed({}) > placed({"--margin", "10"}));
 }
 
-TEST_CASE("--seconds writes what stands by then, with status 3") {
+TEST_CASE("pack --seconds writes what stands by then, with status 3") {
     const ScratchFolder scratch;
     const ProgramRun run = pack({growth_sample("leather.svg"), "--size", "4000,4000", "--scale", "0.2", "--method", "naive",
                                  "--stop", "1000000000", "--seconds", "0.2", "-o", scratch.file("part.json")});

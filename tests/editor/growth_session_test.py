@@ -69,7 +69,7 @@ def main(program, source, pictures=None):
             editor.wait(lambda: 'growth/Grow' in editor.places(), 'Ctrl+7 does not show the panel')
             sprays(editor, pictures)
             grows_and_uses(editor, pictures)
-            editor.keys('ctrl+q')
+            editor.tool('key', 'ctrl+q')
             assert editor.leave() == 0
 
 
