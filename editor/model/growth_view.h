@@ -29,7 +29,7 @@ GrowthBrush brush_on_canvas(const EditorState& state);
 /// The source that belongs to the document and the settings; null while it is being read, or if it was not asked for.
 const GrowthSource* current_source(const EditorState& state);
 
-/// What would be asked for now.
+/// What would be asked for at this moment.
 SourceQuestion source_question(const EditorState& state);
 
 /// The radius of the spray, scene units; 0 while no exemplar is known.
