@@ -75,7 +75,7 @@ def arrangements(editor, folder):
     keep(editor, folder, 'growth')
     editor.click('growth/Clear')
     editor.click('growth/Spray')
-    wave = [(0.12 + 0.04 * i, 0.5 + 0.22 * math.sin(0.5 * i)) for i in range(20)]
+    wave = [(0.15 + 0.025 * i, 0.5 + 0.12 * math.sin(0.3 * i)) for i in range(29)]
     stroke(editor, *wave)
     keep(editor, folder, 'spray', 'canvas')
     editor.click('growth/Clear')
@@ -83,7 +83,7 @@ def arrangements(editor, folder):
     stroke(editor, *[(x, y - 0.15) for x, y in wave])
     stroke(editor, *[(x, y + 0.15) for x, y in wave])
     editor.click('growth/Boundary')
-    circle = [(0.5 + 0.3 * math.cos(0.2 * i), 0.5 + 0.4 * math.sin(0.2 * i)) for i in range(33)]
+    circle = [(0.5 + 0.3 * math.cos(0.2 * i), 0.5 + 0.25 * math.sin(0.2 * i)) for i in range(33)]
     stroke(editor, *circle)
     editor.click('growth/Grow')
     keep(editor, folder, 'flow', 'canvas')
@@ -95,6 +95,7 @@ def arrangements(editor, folder):
 def aggregates(editor, folder):
     editor.keys('ctrl+7')
     editor.click('growth/tab Aggregate')
+    editor.enter_number('growth/canvas', '4')
     editor.click('growth/growth.fill')
     keep(editor, folder, 'aggregate')
 
@@ -125,9 +126,9 @@ def main(program, folder=root / 'docs' / 'images' / 'editor'):
             keep(editor, folder, 'window')
             panels(editor, folder)
             windows(editor, folder)
-        with Editor(display, program, root / 'samples' / 'scales.svg') as editor:
+        with Editor(display, program, root / 'samples' / 'honeycomb.lsys') as editor:
             arrangements(editor, folder)
-        with Editor(display, program, root / 'samples' / 'flower.svg') as editor:
+        with Editor(display, program, root / 'samples' / 'flower.lsys') as editor:
             aggregates(editor, folder)
         with Editor(display, program, '--light', art) as editor:
             keep(editor, folder, 'light')
