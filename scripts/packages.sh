@@ -8,7 +8,7 @@ build_packages=(g++ cmake ninja-build pkg-config
     libglfw3-dev libimgui-dev libglm-dev libepoxy-dev libagg2-dev libglu1-mesa-dev fonts-dejavu-core)
 
 # To test it, on top of that.
-test_packages=(catch2 librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema
+test_packages=(catch2 libbullet-dev librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema
     contextfree inkscape xvfb xauth xdotool imagemagick libgl1-mesa-dri groff-base man-db)
 # node and npm often come from elsewhere.
 command -v node >/dev/null || test_packages+=(nodejs)
@@ -32,7 +32,7 @@ say_what_to_install() {
     say "    $*"
     say "That is: a C++20 compiler (GCC 12 or newer), CMake 3.25, Ninja, pkg-config, and the development files of tinyxml2,"
     say "Eigen 3.4, nanoflann 1.4, Clipper 6 (polyclipping), CLI11 2, nlohmann-json 3, Boost 1.74, libpng, tinyobjloader 2, TinyGLTF 2, librsvg 2, cairo, zlib, GLFW 3.3, Dear ImGui 1.86, GLM, libepoxy, GLU, AGG 2.6;"
-    say "for the tests also Catch2 2.13, rsvg-convert, Python 3 with numpy, Pillow and jsonschema, Inkscape 1.2 with Xvfb and xdotool,"
+    say "for the tests also Catch2 2.13, Bullet 3, rsvg-convert, Python 3 with numpy, Pillow and jsonschema, Inkscape 1.2 with Xvfb and xdotool,"
     say "Context Free 3, ImageMagick, node with npm, groff and man."
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+// An analysed drawing's L-system with the turtle on a surface, its terminals laid on the surface.
+
+#include <cstdint>
+#include <optional>
+
+#include "geometry/progress.h"
+#include "growth/surface/surface_pattern.h"
+#include "growth/surface/trace.h"
+#include "lsystem/grammar.h"
+
+namespace rinceau {
+
+enum class LayGroups : unsigned char { automatic, never, always };
+
+struct GrowDrawingOptions {
+    std::optional<SurfacePoint> start;  ///< without one: a place far from borders and sharp bends
+    double heading =
+        0;  ///< degrees that the drawing's up is turned from the field (or from the surface's up), counter-clockwise
+    double scale = 0;     ///< surface length of a unit of the drawing; 0 = its diagonal becomes half of the surface's
+    double follow = 0.4;  ///< of the field's turning: 1 = constant angle to it
+    LayGroups lay = LayGroups::automatic;  ///< whole groups through one chart
+    double height = 0;                     ///< of the walls, surface length; 0 = flat
+    bool meet_itself = false;              ///< keep elements that overlap on the surface but not in the drawing
+    double stretch = 1.5;                  ///< of a chart that an element is laid through
+    std::optional<std::uint64_t> seed;
+    int depth = -1;
+    long max_shapes = 1'000'000;
+};
+
+/// What grew, with where it stopped. Colours, fills and strokes are the drawing's.
+struct GrownDrawing {
+    SurfacePattern pattern;  ///< `laid`
+    long elements = 0;       ///< of the drawing
+    long laid = 0, shrunk = 0, split = 0, spines = 0, dropped = 0,
+         stopped = 0;   ///< stopped: at a border, or where it met itself
+    double folded = 0;  ///< share of laid area whose map is flipped; always 0
+};
+
+GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, const FieldOnSurface* field,
+                          const GrowDrawingOptions& options = {}, const Progress& progress = {});
+
+}  // namespace rinceau
