@@ -30,7 +30,7 @@ PlacedShapes::PlacedShapes(const std::vector<GrammarShape>& shapes, std::vector<
 
 CollisionBody PlacedShapes::body_of(const PatternShape& shape, const ScopeFrame& frame) const {
     return collision_body((*shapes_)[static_cast<std::size_t>(shape.shape)], shape.position, shape.axes, shape.size,
-                          frame.normal);
+                          frame.normal, frame.lift);
 }
 
 bool PlacedShapes::overlaps(const PatternShape& shape, const ScopeFrame& frame, std::span<const int> kin, int end) const {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "growth/surface/decisive_symbols.h"
 #include "growth/surface/shape_palette.h"
@@ -271,7 +272,7 @@ void ShapeInterpreter::set_color(const CompiledShapeCommand& command, ShapeScope
     } else if (command.numbers.size() == 1) {
         scope.color = std::make_shared<const Color>(palette_color(number(command, 0, scope, production)));
     } else {
-        scope.color = std::make_shared<const Color>(color_of_shares(number(command, 0, scope, production),
+        scope.color = std::make_shared<const Color>(color_of_channels(number(command, 0, scope, production),
                                                                     number(command, 1, scope, production),
                                                                     number(command, 2, scope, production)));
     }

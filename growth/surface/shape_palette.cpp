@@ -13,10 +13,7 @@ constexpr std::array<Color, 12> palette{Color{245, 243, 238}, Color{96, 142, 62}
                                         Color{140, 140, 140}, Color{40, 38, 36},   Color{156, 190, 98},
                                         Color{126, 84, 150},  Color{222, 128, 48}, Color{42, 140, 138}};
 
-std::uint8_t channel(double share) {
-    constexpr double most = 255;
-    return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * most));
-}
+std::uint8_t channel(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0))); }
 
 }  // namespace
 
@@ -26,6 +23,6 @@ Color palette_color(double number) {
     return palette[static_cast<std::size_t>(wrapped < 0 ? wrapped + count : wrapped)];
 }
 
-Color color_of_shares(double red, double green, double blue) { return {channel(red), channel(green), channel(blue)}; }
+Color color_of_channels(double red, double green, double blue) { return {channel(red), channel(green), channel(blue)}; }
 
 }  // namespace rinceau

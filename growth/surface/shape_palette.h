@@ -9,7 +9,7 @@ namespace rinceau {
 /// teal; other numbers wrap around, fractions are rounded down.
 Color palette_color(double number);
 
-/// Red, green and blue from 0 to 1; what lies outside is clamped.
-Color color_of_shares(double red, double green, double blue);
+/// Red, green and blue from 0 to 255, rounded; what lies outside is clamped.
+Color color_of_channels(double red, double green, double blue);
 
 }  // namespace rinceau

@@ -37,7 +37,7 @@ ScopeFrame frame_in_space(const SurfaceMesh& surface, const ShapeScope& scope) {
     const SpacePoint along = direction_in_space(surface, scope.at.face, scope.x);
     const SpacePoint x = unit(along - dot(along, n) * n);
     const SpacePoint y = cross(n, x);
-    ScopeFrame frame{position_in_space(surface, scope.at), {x, y, n}, n};
+    ScopeFrame frame{position_in_space(surface, scope.at), {x, y, n}, n, scope.offset};
     if (scope.offset != 0) frame.position = frame.position + scope.offset * n;
     if (!scope.tilted) return frame;
     for (std::size_t k = 0; k < 3; ++k) {

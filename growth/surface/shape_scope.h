@@ -35,6 +35,7 @@ struct ScopeFrame {
     SpacePoint position;
     std::array<SpacePoint, 3> axes;
     SpacePoint normal;  ///< of the surface
+    double lift = 0;    ///< of the position above the surface
 };
 ScopeFrame frame_in_space(const SurfaceMesh& surface, const ShapeScope& scope);
 
