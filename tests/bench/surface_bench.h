@@ -1,6 +1,7 @@
 #pragma once
 // The parts of the benchmark of patterns on surfaces.
 
+#include <algorithm>
 #include <ctime>
 #include <string>
 #include <vector>

@@ -56,7 +56,8 @@ void curvature_lines(GrowthLines& lines) {
         const SpacePoint p = torus.mesh.positions[i];
         const double ring = std::hypot(p.x, p.y);
         const double across = 1 / small, along = (ring - large) / small / ring;
-        const double found_across = field.isotropic[i] + abs(field.values[i]), found_along = field.isotropic[i] - abs(field.values[i]);
+        const double found_across = field.isotropic[i] + abs(field.values[i]),
+                     found_along = field.isotropic[i] - abs(field.values[i]);
         first += (found_across - across) * (found_across - across);
         second += (found_along - along) * (found_along - along);
         // The larger curvature is that of the small circle: at right angles to the way round the axis.

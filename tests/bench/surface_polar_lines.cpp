@@ -25,7 +25,8 @@ MapError error_of(const SurfaceMesh& surface, int source, double radius, const E
     Complex turn{0, 0};
     for (std::size_t i = 0; i < map.vertices.size(); ++i) {
         const Complex place = exact(surface.mesh.positions[static_cast<std::size_t>(map.vertices[i])]);
-        turn = turn + place * conj(Complex{map.distance[i] * std::cos(map.angle[i]), map.distance[i] * std::sin(map.angle[i])});
+        turn =
+            turn + place * conj(Complex{map.distance[i] * std::cos(map.angle[i]), map.distance[i] * std::sin(map.angle[i])});
     }
     turn = (1 / abs(turn)) * turn;
     double distance = 0, position = 0;
@@ -83,8 +84,7 @@ void plane_lines(GrowthLines& lines) {
     const SurfaceMesh plane = surface_mesh(plane_triangles(side, side, 1.0 / side, 0.3));
     const int source = side / 2 * (side + 1) + side / 2;
     const SpacePoint from = plane.mesh.positions[static_cast<std::size_t>(source)];
-    const MapError error =
-        error_of(plane, source, 0.45, [&](SpacePoint p) { return Complex{p.x - from.x, p.y - from.y}; });
+    const MapError error = error_of(plane, source, 0.45, [&](SpacePoint p) { return Complex{p.x - from.x, p.y - from.y}; });
     lines.begin("polar map, uneven plane of 20,000 faces");
     lines.at_most("distance, rms over radius", error.distance, 1e-5);
     lines.at_most("position, rms over radius", error.position, 1e-4);
@@ -103,9 +103,8 @@ void torus_lines(GrowthLines& lines) {
         for (std::size_t i = there.vertices.size() / 2; i < there.vertices.size(); i += there.vertices.size() / 5 + 1) {
             const PolarMap back = polar_map_of_vertex(torus, there.vertices[i], 1.1 * radius);
             const auto found = std::find(back.vertices.begin(), back.vertices.end(), a);
-            const double distance = found == back.vertices.end()
-                                        ? any
-                                        : back.distance[static_cast<std::size_t>(found - back.vertices.begin())];
+            const double distance =
+                found == back.vertices.end() ? any : back.distance[static_cast<std::size_t>(found - back.vertices.begin())];
             worst = std::max(worst, std::abs(distance - there.distance[i]) / there.distance[i]);
         }
     }
