@@ -5,30 +5,12 @@
 
 #include <tiny_obj_loader.h>
 
-#include <charconv>
 #include <cmath>
-#include <string_view>
 
 #include "scene/input_error.h"
 
 namespace rinceau {
 namespace {
-
-/// The next word of a line, and the line without it.
-std::string_view take_word(std::string_view& line) {
-    constexpr std::string_view blanks = " \t\r";
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(blanks));
-    line.remove_prefix(word.size());
-    return word;
-}
-
-template <class Number>
-bool reads_whole(std::string_view word, Number& value) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc{} && end == word.data() + word.size();
-}
 
 class LineCheck {
   public:
@@ -92,31 +74,30 @@ class LineCheck {
 
 void check_lines(std::string_view text, const MeshReadOptions& options) {
     LineCheck lines(options);
-    while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        lines.check(text.substr(0, end));
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    }
+    while (!text.empty()) lines.check(take_line(text));
     lines.check_end();
 }
 
-/// Positions in order of their first use.
-TriangleMesh compact(const tinyobj::ObjReader& reader) {
+/// `place`: by the file's number of a position its number in the mesh, -1 = not used yet.
+TriangleMesh mesh_of(const tinyobj::ObjReader& reader, bool keep_numbers) {
     TriangleMesh mesh;
     const std::vector<tinyobj::real_t>& numbers = reader.GetAttrib().vertices;
     std::vector<int> place(numbers.size() / 3, -1);
-    const auto position_of = [&](const tinyobj::index_t& index) {
-        const auto v = static_cast<std::size_t>(index.vertex_index);
+    const auto position_of = [&](int index) {
+        const auto v = static_cast<std::size_t>(index);
         if (place[v] < 0) {
             place[v] = static_cast<int>(mesh.positions.size());
             mesh.positions.push_back({numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]});
         }
         return place[v];
     };
+    if (keep_numbers)
+        for (std::size_t v = 0; v < place.size(); ++v) position_of(static_cast<int>(v));
     for (const tinyobj::shape_t& shape : reader.GetShapes())
         for (std::size_t i = 0; i + 2 < shape.mesh.indices.size(); i += 3) {
-            const auto& corners = shape.mesh.indices;
-            mesh.triangles.push_back({position_of(corners[i]), position_of(corners[i + 1]), position_of(corners[i + 2])});
+            const auto corner = [&](std::size_t k) { return position_of(shape.mesh.indices[i + k].vertex_index); };
+            const int a = corner(0), b = corner(1), c = corner(2);
+            mesh.triangles.push_back({a, b, c});
         }
     return mesh;
 }
@@ -129,7 +110,7 @@ TriangleMesh read_obj(const std::string& text, const MeshReadOptions& options) {
     tinyobj::ObjReaderConfig config;
     config.vertex_color = false;
     if (!reader.ParseFromString(text, "", config)) throw InputError({options.file_name}, reader.Error());
-    TriangleMesh mesh = compact(reader);
+    TriangleMesh mesh = mesh_of(reader, options.keep_numbers);
     if (mesh.triangles.empty()) throw InputError({options.file_name}, "expected faces with an area, found none");
     return mesh;
 }

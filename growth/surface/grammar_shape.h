@@ -16,9 +16,11 @@ enum class CollideAs : unsigned char { box, disc, hull, outline };
 struct GrammarShape {
     std::string name;
     TriangleMesh mesh;
-    SpacePoint low, high;  ///< box of the mesh
-    Region outline;        ///< seen along the normal: drawn in the plane, and for collide = hull and outline
+    SpacePoint low, high;     ///< box of the mesh
+    Region outline;           ///< seen along the normal: drawn in the plane, and for collide = outline
+    std::vector<Point> hull;  ///< for collide = hull: the convex hull of the outline, counter-clockwise
     CollideAs collide = CollideAs::box;
+    double rim = 0;              ///< for collide = disc: share of the radius that is rounded, 0 a cylinder, 1 a ball
     Color color{204, 204, 204};  ///< unless the scope has one
 };
 

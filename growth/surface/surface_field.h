@@ -9,6 +9,13 @@
 
 namespace rinceau {
 
+/// A field of the plane z = 0 in closed form, of strength 1.
+struct PlaneForm {
+    bool about_centre = false;  ///< the angle is measured from the ray away from `centre`, not from +x
+    Point centre;
+    double angle = 0;  ///< radians; about a centre 0 = radial, pi / 2 = vortex, between = spiral
+};
+
 /// Directions that are the same after 1 / n of a turn: n = 1 vectors, 2 symmetric tensors (line fields), 4 crosses.
 struct SurfaceField {
     int n = 2;
@@ -16,16 +23,23 @@ struct SurfaceField {
     /// plus its traceless part with eigenvalues +- abs(z); angle is that of the major eigenvector.
     std::vector<Complex> values;
     std::vector<double> isotropic;  ///< by vertex: half the trace of the tensor; empty = 0
+    /// By vertex: a number of its own beside the directions (a picture's brightness, for sizes and colours); empty = none.
+    std::vector<double> scalar;
+    std::optional<PlaneForm> exact;  ///< then `values` may be empty: they follow from it
+    std::string label = "field";     ///< what messages call it: its file
 };
 
 /// A field made ready for many questions. Refers to the surface, which must outlive it.
 class FieldOnSurface {
   public:
-    /// Throws InputError if the field has not one value for each vertex, or a value that is not finite; values of 0 are
-    /// filled from their neighbours.
+    /// Throws InputError if n is not 1, 2 or 4, the field has not one value for each vertex, a value is not finite (or
+    /// beyond 1e100), or a plane's form is asked for on a surface that is not flat in z = const. Vertices without a
+    /// direction (a value of 0, which would break the sum of the indices and catch walks) are filled: the direction from
+    /// their neighbours, with a millionth of the neighbours' strength.
     FieldOnSurface(const SurfaceMesh& surface, SurfaceField field);
 
     int n() const { return field_.n; }
+    /// With its values filled.
     const SurfaceField& field() const { return field_; }
     const SurfaceMesh& surface() const { return *surface_; }
 
@@ -33,10 +47,13 @@ class FieldOnSurface {
     Complex at(SurfacePoint p) const;
     /// Half the trace of the tensor.
     double isotropic_at(SurfacePoint p) const;
+    /// The field's number: of `scalar` if it has them, else its strength.
+    double scalar_at(SurfacePoint p) const;
     /// n times the index of the face: turns of the field about it minus those of a constant one, in n-th parts.
     int index(int face) const { return index_[static_cast<std::size_t>(face)]; }
     /// Where the field is zero, in the face's frame; of faces with an index.
     Complex zero(int face) const;
+    /// By rising face: those with an index.
     const std::vector<int>& singular_faces() const { return singular_; }
     /// Sum of n * index over all faces; n times the Euler characteristic of a closed surface, exactly.
     long index_sum() const;
@@ -44,13 +61,18 @@ class FieldOnSurface {
   private:
     const SurfaceMesh* surface_;
     SurfaceField field_;
-    std::vector<std::array<Complex, 6>> corners_;  ///< by face: corner values seen from both of its edges
+    /// By face, in its frame: the value of corner i carried along the edge that starts there, for i = 0, 1, 2; then the
+    /// same along the edge that ends there.
+    std::vector<std::array<Complex, 6>> corners_;
     std::vector<signed char> index_;
+    /// By face: a corner's value turns so far between its two edges that it is turned, not blended.
+    std::vector<bool> sharp_;
     std::vector<int> singular_;
     std::vector<Complex> zeros_;  ///< of singular_
 };
 
-/// The n-th root of z that is nearest to `near` in direction; of length 1. z is not 0.
+/// The n-th root of z that is nearest to `near` in direction; of length 1. n is 1, 2 or 4. Of z = 0 it is the direction of
+/// `near`.
 Complex root_near(Complex z, int n, Complex near);
 
 }  // namespace rinceau
