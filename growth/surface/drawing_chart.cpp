@@ -36,12 +36,17 @@ void lay_grid(DrawingChart& chart) {
     chart.first.assign(at(chart.columns * chart.rows) + 1, 0);
     const auto each_cell = [&](const ChartTriangle& triangle, auto&& visit) {
         const Box box = box_of(triangle);
-        const auto column = [&](double x) { return std::min(static_cast<int>((x - chart.low.x) / chart.cell), chart.columns - 1); };
-        const auto row = [&](double y) { return std::min(static_cast<int>((y - chart.low.y) / chart.cell), chart.rows - 1); };
+        const auto column = [&](double x) {
+            return std::min(static_cast<int>((x - chart.low.x) / chart.cell), chart.columns - 1);
+        };
+        const auto row = [&](double y) {
+            return std::min(static_cast<int>((y - chart.low.y) / chart.cell), chart.rows - 1);
+        };
         for (int y = row(box.low.y); y <= row(box.high.y); ++y)
             for (int x = column(box.low.x); x <= column(box.high.x); ++x) visit(at(y * chart.columns + x));
     };
-    for (const ChartTriangle& triangle : chart.triangles) each_cell(triangle, [&](std::size_t cell) { ++chart.first[cell + 1]; });
+    for (const ChartTriangle& triangle : chart.triangles)
+        each_cell(triangle, [&](std::size_t cell) { ++chart.first[cell + 1]; });
     for (std::size_t k = 1; k < chart.first.size(); ++k) chart.first[k] += chart.first[k - 1];
     chart.list.resize(at(chart.first.back()));
     std::vector<int> next(chart.first.begin(), chart.first.end() - 1);
@@ -68,7 +73,8 @@ double chart_stretch(const SurfaceMesh& surface, const ChartTriangle& triangle) 
     const Columns map = to_face(surface, triangle);
     if (!(map.area > 0)) return std::numeric_limits<double>::infinity();
     // singular values of a 2 x 2 matrix: half the sum and difference of two lengths
-    const double sum = std::hypot(map.x.x + map.y.y, map.x.y - map.y.x), difference = std::hypot(map.x.x - map.y.y, map.x.y + map.y.x);
+    const double sum = std::hypot(map.x.x + map.y.y, map.x.y - map.y.x),
+                 difference = std::hypot(map.x.x - map.y.y, map.x.y + map.y.x);
     const double large = 0.5 * (sum + difference), small = 0.5 * std::abs(sum - difference);
     if (!(small > 0)) return std::numeric_limits<double>::infinity();
     return std::max(large, 1 / small);

@@ -16,10 +16,10 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr double default_share = 0.5;         // of the surface's diagonal that the drawing's becomes
-constexpr double curve_deviation = 4e-3;      // of an element's radius
-constexpr double finest_deviation = 2e-5;     // of the surface's diagonal
-constexpr double background_share = 0.97;     // of the drawing's box that an element fills to be its background
+constexpr double default_share = 0.5;      // of the surface's diagonal that the drawing's becomes
+constexpr double curve_deviation = 4e-3;   // of an element's radius
+constexpr double finest_deviation = 2e-5;  // of the surface's diagonal
+constexpr double background_share = 0.97;  // of the drawing's box that an element fills to be its background
 
 /// Boxes of the placed terminals' paths in the drawing.
 std::vector<Box> drawn_boxes(const Grammar& grammar, const TurtleScript& script) {
@@ -42,7 +42,8 @@ Box united(const std::vector<Box>& boxes) {
 }
 
 /// The lowest elements while they fill the whole drawing: the surface takes their place.
-std::vector<bool> backgrounds(const TurtleScript& script, const std::vector<Box>& boxes, const std::vector<DrawnElement>& drawn) {
+std::vector<bool> backgrounds(const TurtleScript& script, const std::vector<Box>& boxes,
+                              const std::vector<DrawnElement>& drawn) {
     std::vector<bool> is_background(boxes.size(), false);
     const Box all = united(boxes);
     std::vector<int> order(boxes.size());
@@ -79,7 +80,8 @@ void add_warnings(GrownDrawing& grown, const ArtLosses& losses, long left_out) {
     if (losses.verbatim > 0)
         warnings.push_back(counted(losses.verbatim, "fragment", "fragments") + " of SVG cannot be laid on a surface");
     if (losses.gradients > 0)
-        warnings.push_back(counted(losses.gradients, "element is", "elements are") + " laid in the mean colour of its gradient");
+        warnings.push_back(counted(losses.gradients, "element is", "elements are") +
+                           " laid in the mean colour of its gradient");
     if (losses.translucent > 0)
         warnings.push_back(counted(losses.translucent, "translucent element is", "translucent elements are") +
                            " laid opaque, mixed with the ground's colour");
@@ -127,7 +129,8 @@ GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, co
     TurtleWays ways{field, options.follow, options.scale > 0 ? options.scale : default_share * surface.diagonal / whole};
     ArtStore store(grammar, curve_deviation, finest_deviation * surface.diagonal / ways.scale);
     std::vector<DrawnElement> elements;
-    for (const Placement& placement : script.elements) elements.push_back(drawn_element(store.art(placement), placement.pose));
+    for (const Placement& placement : script.elements)
+        elements.push_back(drawn_element(store.art(placement), placement.pose));
     const std::vector<bool> background = backgrounds(script, boxes, elements);
     long left_out = 0;
     for (std::size_t i = 0; i < elements.size(); ++i)

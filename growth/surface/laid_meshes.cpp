@@ -1,5 +1,5 @@
-// Corners of a face have the normals that a smoothly shaded surface has there (creases stay sharp), so that what is laid looks
-// painted on. Each piece has corners of its own on its face; pieces of one face share them.
+// Corners of a face have the normals that a smoothly shaded surface has there (creases stay sharp), so that what is laid
+// looks painted on. Each piece has corners of its own on its face; pieces of one face share them.
 
 #include "growth/surface/laid_meshes.h"
 

@@ -9,8 +9,7 @@ void bound_shape(const SurfaceMesh& surface, LaidShape& shape) {
     for (const LaidLayer& layer : shape.layers)
         for (const LaidPiece& piece : layer.area.pieces)
             for (int k = piece.first; k < piece.first + piece.count; ++k)
-                corners.push_back(
-                    position_in_space(surface, {piece.face, layer.area.corners[static_cast<std::size_t>(k)]}));
+                corners.push_back(position_in_space(surface, {piece.face, layer.area.corners[static_cast<std::size_t>(k)]}));
     const auto [low, high] = bounds(TriangleMesh{corners, {}});
     shape.centre = 0.5 * (low + high);
     shape.radius = 0;

@@ -20,9 +20,9 @@ struct LaidShape {
     std::vector<LaidLayer> layers;
     double area = 0;  ///< on the drawing's scale, of all layers
     SpacePoint centre;
-    double radius = 0;          ///< a ball about the centre holds all corners
-    std::vector<Point> drawn;   ///< hull of what it covers in the drawing, counter-clockwise
-    Similarity pose;            ///< of the terminal, in the chart's plane
+    double radius = 0;         ///< a ball about the centre holds all corners
+    std::vector<Point> drawn;  ///< hull of what it covers in the drawing, counter-clockwise
+    Similarity pose;           ///< of the terminal, in the chart's plane
 };
 
 /// Fills centre and radius.

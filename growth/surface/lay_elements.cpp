@@ -22,13 +22,10 @@ Similarity to_chart(const ElementChart& chart, const Similarity& pose, const Ele
     return laid * sized * pose;
 }
 
-std::vector<std::array<Point, 2>> rim_lines(const Region& region, const Similarity& map) {
+std::vector<std::array<Point, 2>> rim_lines(const ArtLayer& layer, const std::vector<Point>& points, bool mirrored) {
     std::vector<std::array<Point, 2>> lines;
-    for (const std::vector<Point>& polygon : region)
-        for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const Point a = apply(map, polygon[k]), b = apply(map, polygon[(k + 1) % polygon.size()]);
-            lines.push_back(map.mirrored ? std::array{b, a} : std::array{a, b});
-        }
+    for (const auto& [i, j] : layer.borders)
+        lines.push_back(mirrored ? std::array{points[at(j)], points[at(i)]} : std::array{points[at(i)], points[at(j)]});
     return lines;
 }
 
@@ -56,7 +53,8 @@ DrawnDisc disc_of(std::span<const DrawnElement> elements, std::span<const int> c
 }
 
 ElementChart ElementLayer::polar_chart(const DrawingStand& middle, double radius) {
-    return {drawing_chart(*surface_, patches_.patch(middle.at, middle.turn, patch_margin * scale_ * radius)), middle, scale_};
+    return {drawing_chart(*surface_, patches_.patch(middle.at, middle.turn, patch_margin * scale_ * radius)), middle,
+            scale_};
 }
 
 ElementChart ElementLayer::relaxed_polar_chart(const DrawingStand& middle, double radius) {
@@ -79,7 +77,7 @@ LayFault ElementLayer::lay_one(const ElementChart& chart, const DrawnElement& el
         LaidLayer& laid = shape.layers.emplace_back(LaidLayer{layer.color, layer.level, {}, {}});
         const LayFault fault = lay_triangles(*surface_, chart.chart, triangles, {stretch}, visits_, laid.area);
         if (fault != LayFault::none) return fault;
-        if (rims_) lay_lines(*surface_, chart.chart, rim_lines(layer.region, map), visits_, laid.rim);
+        if (rims_) lay_lines(*surface_, chart.chart, rim_lines(layer, points, map.mirrored), visits_, laid.rim);
         shape.area += triangles.area;
     }
     shape.drawn = element.hull;

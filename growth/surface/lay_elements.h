@@ -56,8 +56,8 @@ class ElementLayer {
         std::vector<LaidShape> shapes;    ///< as chosen
     };
     /// All of the chosen elements, or none.
-    Result lay(const ElementChart& chart, std::span<const DrawnElement> elements, std::span<const int> chosen, double stretch,
-               const Size& size = {1, {}});
+    Result lay(const ElementChart& chart, std::span<const DrawnElement> elements, std::span<const int> chosen,
+               double stretch, const Size& size = {1, {}});
 
   private:
     LayFault lay_one(const ElementChart& chart, const DrawnElement& element, double stretch, const Size& size,

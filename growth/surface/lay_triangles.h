@@ -35,8 +35,8 @@ struct LayingTriangles {
     double area = 0;                                ///< of all triangles
 };
 
-/// All of the shape or nothing: a triangle of the chart that it meets is flipped (folded) or stretched beyond the limit, a part
-/// of it lies on no triangle (outside), or on two (folded).
+/// All of the shape or nothing: a triangle of the chart that it meets is flipped (folded) or stretched beyond the limit, a
+/// part of it lies on no triangle (outside), or on two (folded).
 LayFault lay_triangles(const SurfaceMesh& surface, const DrawingChart& chart, const LayingTriangles& shape,
                        const LayLimits& limits, ChartVisits& visits, LaidPieces& laid);
 

@@ -7,7 +7,8 @@
 namespace rinceau {
 
 /// A place about which a disc of `radius` (surface length; more than a fifth of the diagonal counts as that) lies as flat as
-/// possible and clear of borders, of several spread over the surface; of equals rather one that is seen from the front and above.
+/// possible and clear of borders, of several spread over the surface; of equals rather one that is seen from the front and
+/// above.
 SurfacePoint start_place(const SurfaceMesh& surface, double radius);
 
 /// The direction (length 1, in the frame of the place's face) of a drawing's up there: along the field, else of the y axis

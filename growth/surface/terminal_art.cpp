@@ -49,15 +49,15 @@ FlatPaint flat_paint(const Paint& paint, double opacity) {
     return {};
 }
 
-ArtLayer layer_of(Region region, const FlatPaint& paint, int level) {
+ArtLayer layer_of(const Region& region, const FlatPaint& paint, int level) {
     ArtLayer layer;
     layer.opacity = paint.opacity;
     layer.color = paint.opacity < opaque ? mixed(paint.color, paint.opacity, ground_color) : paint.color;
     layer.level = level;
     RegionTriangles cut = region_triangles(region);
-    layer.region = std::move(region);
     layer.points = std::move(cut.points);
     layer.triangles = std::move(cut.triangles);
+    layer.borders = std::move(cut.borders);
     for (const auto& [a, b, c] : layer.triangles) {
         const auto point = [&](int i) { return layer.points[static_cast<std::size_t>(i)]; };
         layer.area += 0.5 * cross(point(b) - point(a), point(c) - point(a));
@@ -72,7 +72,8 @@ std::vector<Point> hull_of(std::vector<Point> points) {
     const auto add_chain = [&](auto first, auto last) {
         const std::size_t start = hull.size();
         for (auto p = first; p != last; ++p) {
-            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0) hull.pop_back();
+            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0)
+                hull.pop_back();
             hull.push_back(*p);
         }
         hull.pop_back();
@@ -83,9 +84,7 @@ std::vector<Point> hull_of(std::vector<Point> points) {
     return hull;
 }
 
-int packed(const std::optional<Color>& color) {
-    return color ? (color->red << 16) + (color->green << 8) + color->blue : -1;
-}
+int packed(const std::optional<Color>& color) { return color ? (color->red << 16) + (color->green << 8) + color->blue : -1; }
 
 }  // namespace
 
@@ -126,9 +125,9 @@ ArtStore::Known ArtStore::made(const Placement& placement, double scale) const {
     const double deviation = std::max(deviation_ * radius, finest_ / scale);
     const FlatPaint fill = flat_paint(style.fill, style.opacity * style.fill_opacity);
     const FlatPaint stroke = flat_paint(style.stroke.paint, style.opacity * style.stroke.opacity);
-    const auto add = [&](Region region, const FlatPaint& paint, int level) {
+    const auto add = [&](const Region& region, const FlatPaint& paint, int level) {
         if (region.empty()) return;
-        known.art.layers.push_back(layer_of(std::move(region), paint, level));
+        known.art.layers.push_back(layer_of(region, paint, level));
         known.gradient |= paint.gradient;
         known.translucent |= paint.opacity < opaque;
     };
@@ -160,8 +159,11 @@ const TerminalArt& ArtStore::art(const Placement& placement) {
     std::frexp(scale, &octave);
     const Stroke& stroke = styles_.style(drawn_style_number(*grammar_, placement)).stroke;
     const bool fixed = stroke.fixed;
-    const Key key{placement.terminal, drawn_style_number(*grammar_, placement),
-                  {packed(placement.repaint.fill), packed(placement.repaint.stroke)}, octave, fixed ? scale : 0};
+    const Key key{placement.terminal,
+                  drawn_style_number(*grammar_, placement),
+                  {packed(placement.repaint.fill), packed(placement.repaint.stroke)},
+                  octave,
+                  fixed ? scale : 0};
     std::unique_ptr<Known>& known = known_[key];
     // of one octave all have the triangles of its largest
     if (!known) known = std::make_unique<Known>(made(placement, fixed ? scale : std::ldexp(1.0, octave)));

@@ -20,10 +20,10 @@ struct ArtLayer {
     Color color;
     int level = 0;       ///< 0 = painted first, 1 = above it
     double opacity = 1;  ///< that `color` was mixed with the ground by
-    Region region;
     std::vector<Point> points;
     std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise
-    double area = 0;                            ///< of the region
+    std::vector<std::array<int, 2>> borders;    ///< edges of one triangle, which lies on their left
+    double area = 0;                            ///< of all triangles
 };
 
 /// In the terminal's frame. No layers: it paints nothing that can be laid.
@@ -35,16 +35,17 @@ struct TerminalArt {
 
 /// What could not be kept, counted.
 struct ArtLosses {
-    long gradients = 0;     ///< placements painted in the gradient's mean colour
-    long translucent = 0;   ///< placements painted in one colour, mixed with the ground's
-    long verbatim = 0;      ///< placements of fragments of SVG, left out
-    long empty = 0;         ///< placements that paint nothing
+    long gradients = 0;    ///< placements painted in the gradient's mean colour
+    long translucent = 0;  ///< placements painted in one colour, mixed with the ground's
+    long verbatim = 0;     ///< placements of fragments of SVG, left out
+    long empty = 0;        ///< placements that paint nothing
 };
 
 /// The colour of an opaque body under a drawing that lets it through.
 constexpr Color ground_color{225, 222, 214};
 
-/// The art of placements, made once for each terminal, style, colours and size. Refers to the grammar, which must outlive it.
+/// The art of placements, made once for each terminal, style, colours and size. Refers to the grammar, which must outlive
+/// it.
 class ArtStore {
   public:
     /// `deviation`: how far triangles may lie from a curve, as a share of the drawn thing's radius; never less than

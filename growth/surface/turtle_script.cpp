@@ -94,7 +94,8 @@ TurtleScript turtle_script(const Grammar& grammar, const DeriveOptions& options,
     InterpretOptions interpretation;
     interpretation.derive = options;
     interpretation.addresses = true;
-    visit_turtle(grammar, interpretation, [&](const TurtleEvent& event) { writer.add(event); }, progress);
+    visit_turtle(
+        grammar, interpretation, [&](const TurtleEvent& event) { writer.add(event); }, progress);
     return writer.take();
 }
 
