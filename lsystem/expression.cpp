@@ -43,8 +43,8 @@ constexpr std::array binary_operators{
 /// Recursive descent by precedence; writes the nodes in postfix order as it goes.
 class Parser {
   public:
-    Parser(std::string_view text, const SourcePlace& place, const ExpressionSyntax& syntax)
-        : text_(text), place_(place), syntax_(syntax) {}
+    Parser(std::string_view text, const SourcePlace& place, const ExpressionForm& form)
+        : text_(text), place_(place), form_(form) {}
 
     Expression parse() {
         std::size_t length = 0;
@@ -55,7 +55,7 @@ class Parser {
     }
 
     Expression parse_before(std::size_t& length) {
-        if (syntax_.operand) {
+        if (form_.operand) {
             unary();
         } else {
             binary(1);
@@ -69,7 +69,7 @@ class Parser {
 
     std::string_view text_;
     const SourcePlace& place_;
-    ExpressionSyntax syntax_;
+    ExpressionForm form_;
     std::size_t at_ = 0;
     int nesting_ = 0;
     Expression expression_;
@@ -188,13 +188,13 @@ class Parser {
         const std::size_t start = at_;
         while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
         std::string name(text_.substr(start, at_ - start));
-        if (syntax_.queries && at_ < text_.size() && text_[at_] == '.') return dotted_name(std::move(name));
+        if (form_.queries && at_ < text_.size() && text_[at_] == '.') return dotted_name(std::move(name));
         if (!take("(")) {
             expression_.postfix.push_back({Op::name, 0, std::move(name), 0});
             return;
         }
         skip_blanks();
-        if (syntax_.queries && at_ < text_.size() && text_[at_] == '"') return name_with_text(std::move(name));
+        if (form_.queries && at_ < text_.size() && text_[at_] == '"') return name_with_text(std::move(name));
         call(std::move(name), start);
     }
 
@@ -222,9 +222,9 @@ class Parser {
 
     void call(std::string name, std::size_t start) {
         const ExpressionFunction* function = find_expression_function(name);
-        if (function == nullptr || (function->only_with_queries && !syntax_.queries)) {
+        if (function == nullptr || (function->only_with_queries && !form_.queries)) {
             fail_at(start, "expected a function such as sin, sqrt or min, found '" + name + "'" +
-                               did_you_mean(name, expression_function_names(syntax_.queries)));
+                               did_you_mean(name, expression_function_names(form_.queries)));
         }
         int count = 0;
         if (!take(")")) {
@@ -302,13 +302,13 @@ TextPart call_text(const Expression::Node& node, std::vector<TextPart>& parts) {
 
 }  // namespace
 
-Expression parse_expression(std::string_view text, const SourcePlace& place, const ExpressionSyntax& syntax) {
-    return Parser(text, place, syntax).parse();
+Expression parse_expression(std::string_view text, const SourcePlace& place, const ExpressionForm& form) {
+    return Parser(text, place, form).parse();
 }
 
-Expression parse_expression_before(std::string_view text, const SourcePlace& place, const ExpressionSyntax& syntax,
+Expression parse_expression_before(std::string_view text, const SourcePlace& place, const ExpressionForm& form,
                                    std::size_t& length) {
-    return Parser(text, place, syntax).parse_before(length);
+    return Parser(text, place, form).parse_before(length);
 }
 
 std::string to_text(const Expression& expression) {

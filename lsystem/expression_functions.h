@@ -15,7 +15,7 @@ struct ExpressionFunction {
     int at_least;
     int at_most;
     double (*evaluate)(std::span<const double> arguments);
-    bool only_with_queries = false;  ///< of shape grammars (ExpressionSyntax)
+    bool only_with_queries = false;  ///< of shape grammars (ExpressionForm)
 };
 
 /// rand takes no numbers or two.

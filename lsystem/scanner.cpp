@@ -195,10 +195,10 @@ Expression Scanner::expression_or_one(std::string_view text, std::size_t start) 
     }
 }
 
-Expression Scanner::expression_here(const ExpressionSyntax& syntax) {
+Expression Scanner::expression_here(const ExpressionForm& form) {
     skip_blanks();
     std::size_t length = 0;
-    Expression expression = parse_expression_before(text_.substr(at_), place_at(at_), syntax, length);
+    Expression expression = parse_expression_before(text_.substr(at_), place_at(at_), form, length);
     at_ += length;
     return expression;
 }

@@ -39,7 +39,7 @@ class Scanner {
     /// "..." as it stands; `start` becomes the place in the statement of its first character.
     std::string_view raw_quoted(std::size_t& start);
     /// As much as makes an expression.
-    Expression expression_here(const ExpressionSyntax& syntax);
+    Expression expression_here(const ExpressionForm& form);
     /// The number 1 takes the place of an expression with a mistake, which is kept.
     Expression expression_until(std::string_view stops);
     /// An expression up to "->", in the same way.

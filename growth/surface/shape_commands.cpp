@@ -31,7 +31,7 @@ constexpr std::array commands{
     ShapeCommandInfo{Verb::line_segment, "LineSeg", Text::none, 2, 2, "LineSeg(length, width)",
                      "a piece of the line along X, as T(length, 0, 0) goes"},
     ShapeCommandInfo{Verb::colour, "Colour", Text::instead, 1, 3, "Colour(n) or Colour(\"#rrggbb\")",
-                     "colour of what follows: of the palette by number, or three numbers from 0 to 1, or a text"},
+                     "colour of what follows: of the palette by number, three numbers from 0 to 255, or a text"},
     ShapeCommandInfo{Verb::attribute, "Set", Text::needed, 1, 1, "Set(\"name\", value)",
                      "give what is placed from here on a number of its own"},
     ShapeCommandInfo{Verb::lock, "Lock", Text::none, 0, 0, "Lock{a | b}",
