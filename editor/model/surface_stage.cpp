@@ -52,7 +52,7 @@ SurfaceField designed_field(const SurfaceMesh& surface, const FieldSettings& set
 }
 
 std::vector<std::vector<SpacePoint>> lines_along(const FieldOnSurface& field, double spacing, const Progress& progress) {
-    const SurfaceMesh& surface = *field.surface();
+    const SurfaceMesh& surface = field.surface();
     std::vector<std::vector<SpacePoint>> lines;
     for (const Streamline& line : streamlines(field, {.spacing = spacing * surface.diagonal}, progress).lines) {
         std::vector<SpacePoint>& points = lines.emplace_back();
@@ -64,7 +64,7 @@ std::vector<std::vector<SpacePoint>> lines_along(const FieldOnSurface& field, do
 std::string field_in_words(const FieldOnSurface& field) {
     const std::size_t count = field.singular_faces().size();
     std::string text = counted(static_cast<long>(count), "singular point", "singular points");
-    const SurfaceMesh& surface = *field.surface();
+    const SurfaceMesh& surface = field.surface();
     const auto parts = [&](long nth) {
         return nth % field.n() == 0 ? std::to_string(nth / field.n())
                                     : std::to_string(nth) + '/' + std::to_string(field.n());
@@ -94,8 +94,8 @@ StageField stage_field(const SurfaceStage& stage, const FieldSettings& settings,
     SurfaceField field = designed_field(*stage.surface, settings, progress);
     if (settings.smooth > 0 && settings.source != FieldSettings::Source::smoothest)
         field = smoothed(*stage.surface, std::move(field), settings.smooth, progress);
-    StageField made;
-    made.field = std::make_shared<const FieldOnSurface>(stage.surface, std::move(field));
+    StageField made{.surface = stage.surface};
+    made.field = std::make_shared<const FieldOnSurface>(*stage.surface, std::move(field));
     for (const int face : made.field->singular_faces())
         made.singular.push_back(
             {position_in_space(*stage.surface, {face, made.field->zero(face)}), made.field->index(face)});

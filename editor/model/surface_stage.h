@@ -31,6 +31,7 @@ struct SingularDot {
 };
 
 struct StageField {
+    std::shared_ptr<const SurfaceMesh> surface;  ///< that the field refers to
     std::shared_ptr<const FieldOnSurface> field;
     std::shared_ptr<const std::vector<std::vector<SpacePoint>>> streamlines;
     std::vector<SingularDot> singular;
