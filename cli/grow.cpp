@@ -44,8 +44,10 @@ Grown grow_shapes(const ShapeGrammar& grammar, std::shared_ptr<const SurfaceMesh
     Grown grown;
     grown.world = make_world(grammar, std::move(surface), grammar_files(options), options.seed, progress);
     grown.ground_seconds = seconds_since(start);
-    ShapeDerivationOptions derivation = options_of(
-        grammar, {.seed = options.seed, .max_shapes = options.max_shapes, .max_seconds = options.seconds});
+    ShapeDerivationOptions derivation = options_of(grammar);
+    derivation.seed = options.seed;
+    derivation.max_shapes = options.max_shapes.value_or(derivation.max_shapes);
+    if (options.seconds > 0) derivation.max_seconds = options.seconds;
     grown.field = guiding_field(grown.world, derivation.follow);
     const auto growth_start = Clock::now();
     grown.pattern = derive_shapes(grammar, grown.world, derivation, progress);
@@ -77,7 +79,7 @@ Grown grow_rules(const Grammar& grammar, std::shared_ptr<const SurfaceMesh> surf
     grown.ground_seconds = seconds_since(start);
     GrowDrawingOptions drawing = options.drawing;
     drawing.seed = options.seed;
-    drawing.max_shapes = options.max_shapes;
+    drawing.max_shapes = options.max_shapes.value_or(drawing.max_shapes);
     if (options.at || options.vertex) drawing.start = start_of_drawing(*grown.world.surface, options);
     const auto growth_start = Clock::now();
     grown.drawing = grow_drawing(grammar, *grown.world.surface, grown.field, drawing, progress);

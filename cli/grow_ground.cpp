@@ -57,10 +57,8 @@ ShapeSource field_of_option(const std::string& text) {
 }
 
 ReadNamedFile grammar_files(const GrowVerbOptions& options) {
-    const std::filesystem::path folder = std::filesystem::path(options.input).parent_path();
-    return [folder, given = options.field](const std::string& name) {
-        const std::filesystem::path path(name);
-        return read_input(name == given || path.is_absolute() ? name : (folder / path).string());
+    return [beside = files_beside(options.input), given = options.field](const std::string& name) {
+        return name == given ? read_input(name) : beside(name);
     };
 }
 

@@ -64,9 +64,9 @@ void add_limits(CLI::App& verb, GrowVerbOptions& options) {
         ->capture_default_str()
         ->type_name("N");
     constexpr long most_shapes = 100'000'000;
-    verb.add_option("--max-shapes", options.max_shapes, "Stop with status 3 at so many shapes, placed and waiting")
+    verb.add_option("--max-shapes", options.max_shapes, "Stop with status 3 at so many shapes, placed and waiting (1000000 "
+                                                 "unless the grammar says otherwise)")
         ->check(CLI::Range(1L, most_shapes))
-        ->capture_default_str()
         ->type_name("N");
     verb.add_option("--seconds", options.seconds, "Stop with status 3 after so long")
         ->check(CLI::PositiveNumber)

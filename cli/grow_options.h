@@ -24,8 +24,8 @@ struct GrowVerbOptions {
     bool repair = false;
     std::vector<std::string> params;  ///< NAME=VALUE
     std::uint64_t seed = 1;
-    long max_shapes = 1'000'000;
-    double seconds = 0;  ///< 0 = no limit
+    std::optional<long> max_shapes;  ///< none: the grammar's, or 1,000,000
+    double seconds = 0;              ///< 0 = no limit
     bool keep_partial = false;
 
     bool with_surface = false;

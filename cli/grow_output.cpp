@@ -53,8 +53,11 @@ long write_grown(const SurfacePattern& pattern, const SurfaceMesh& surface, cons
         case FileFormat::png:
             write_output(options.output, picture_bytes(pattern, surface, options));
             break;
-        default:
-            write_output(options.output, pattern_svg(pattern, box_of(surface)));
+        default: {
+            constexpr double usual_width = 1000;
+            write_output(options.output,
+                         pattern_svg(pattern, box_of(surface), options.width > 0 ? options.width : usual_width));
+        }
     }
     return faces_out(assembly);
 }

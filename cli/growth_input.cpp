@@ -1,5 +1,7 @@
 #include "cli/growth_input.h"
 
+#include <filesystem>
+
 #include "analyzer/analyze.h"
 #include "cli/messages.h"
 #include "cli/progress_bar.h"
@@ -45,6 +47,12 @@ GrowthInput read_growth_input(const std::string& name, const FigureOptions& opti
     input.drawing = figures_of(rules.grammar, options, bar.callback());
     add_warnings(input.drawing.warnings, input.warnings);
     return input;
+}
+
+std::function<std::string(const std::string& named)> files_beside(const std::string& name) {
+    return [folder = std::filesystem::path(name).parent_path()](const std::string& named) {
+        return read_input((folder / named).string());  // a whole path takes the folder's place
+    };
 }
 
 Scene read_guide(const std::string& name) {

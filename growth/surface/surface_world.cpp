@@ -66,11 +66,13 @@ ShapeGrammarSetting grammar_setting(const SurfaceMesh& surface, std::uint64_t se
 std::shared_ptr<const FieldOnSurface> make_world_field(const ShapeSource& source, const ShapeGrammar& grammar,
                                                        const SurfaceMesh& surface, const ReadNamedFile& read_file,
                                                        std::uint64_t seed, const Progress& progress) {
-    const FieldSource evaluated{.name = source.name,
-                                .kind = source.kind,
+    if (!source.words.empty()) {
+        const auto& [key, word] = *source.words.begin();
+        throw InputError(source.place, "expected a number for " + key + " = .. of the field, found '" + word + "'");
+    }
+    const FieldSource evaluated{.kind = source.kind,
                                 .text = source.text,
                                 .numbers = evaluated_numbers(source, grammar, grammar_setting(surface, seed)),
-                                .words = source.words,
                                 .place = source.place};
     return std::make_shared<const FieldOnSurface>(surface, make_field(evaluated, surface, read_file, progress));
 }
