@@ -1,4 +1,5 @@
-// The glTF 2.0 specification, through TinyGLTF. All numbers of a mesh lie in one buffer: positions, normals, indices.
+// The glTF 2.0 specification, through TinyGLTF. All numbers of a mesh lie in one buffer: positions, normals, indices; then,
+// with the extension EXT_mesh_gpu_instancing, what its instances are moved, turned and scaled by.
 
 #include "growth/mesh/mesh_glb_write.h"
 
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <sstream>
 
 #include "geometry/angle.h"
@@ -28,39 +28,55 @@ struct VertexList {
 };
 
 /// Corners that share position and normal share a vertex.
-VertexList vertices_of(const TriangleMesh& mesh) {
-    const std::vector<std::array<SpacePoint, 3>> normals = corner_normals(mesh, crease);
-    VertexList list;
-    std::map<std::pair<int, std::array<float, 3>>, std::uint32_t> known;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int v = mesh.triangles[t][k];
-            const SpacePoint p = mesh.positions[static_cast<std::size_t>(v)], n = normals[t][k];
-            if (abs(n) == 0) break;  // without area: nothing to be seen, and no normal
-            const std::array<float, 3> normal{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
-            const auto [place, is_new] = known.try_emplace({v, normal}, static_cast<std::uint32_t>(list.vertices.size()));
-            if (is_new)
-                list.vertices.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-                                         normal[0], normal[1], normal[2]});
-            list.indices.push_back(place->second);
-        }
-    return list;
-}
+class VertexMaker {
+  public:
+    explicit VertexMaker(const NamedMesh& named) : named_(named), latest_(named.mesh.positions.size(), none) {}
+
+    VertexList make() {
+        const std::vector<std::array<SpacePoint, 3>> normals = corner_normals(named_, crease);
+        for (std::size_t t = 0; t < named_.mesh.triangles.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const SpacePoint n = normals[t][k];
+                if (abs(n) == 0) break;  // without area: nothing to be seen, and no normal
+                list_.indices.push_back(vertex(static_cast<std::size_t>(named_.mesh.triangles[t][k]), n));
+            }
+        return std::move(list_);
+    }
+
+  private:
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    const NamedMesh& named_;
+    VertexList list_;
+    std::vector<std::uint32_t> latest_;  ///< by position: the vertex made last
+    std::vector<std::uint32_t> before_;  ///< by vertex: the one at its position that was made before it
+
+    std::uint32_t vertex(std::size_t v, SpacePoint n) {
+        const SpacePoint p = named_.mesh.positions[v];
+        const Vertex wanted{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
+                            static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+        for (std::uint32_t i = latest_[v]; i != none; i = before_[i])
+            if (list_.vertices[i] == wanted) return i;
+        const auto made = static_cast<std::uint32_t>(list_.vertices.size());
+        list_.vertices.push_back(wanted);
+        before_.push_back(latest_[v]);
+        return latest_[v] = made;
+    }
+};
 
 /// A model that grows by meshes and nodes.
 class Glb {
   public:
-    explicit Glb(UpAxis up) {
+    explicit Glb(const GlbOptions& options) : two_sided_(options.two_sided) {
         model_.asset.version = "2.0";
         model_.asset.generator = "rinceau";
         model_.buffers.emplace_back();
         model_.scenes.emplace_back();
         model_.defaultScene = 0;
-        if (up == UpAxis::z) add_turned_root();
+        if (options.up == UpAxis::z) add_turned_root();
     }
 
     int add_mesh(const NamedMesh& named) {
-        const VertexList list = vertices_of(named.mesh);
+        const VertexList list = VertexMaker(named).make();
         tinygltf::Primitive primitive;
         primitive.attributes["POSITION"] = add_vectors(list, 0);
         primitive.attributes["NORMAL"] = add_vectors(list, 3);
@@ -81,9 +97,34 @@ class Glb {
         node.translation = list(pose.translation);
         node.rotation.assign(pose.rotation.begin(), pose.rotation.end());
         if (pose.scale != SpacePoint{1, 1, 1}) node.scale = list(pose.scale);
-        const int index = static_cast<int>(model_.nodes.size());
-        (root_ < 0 ? model_.scenes[0].nodes : model_.nodes[static_cast<std::size_t>(root_)].children).push_back(index);
-        model_.nodes.push_back(node);
+        add(std::move(node));
+    }
+
+    /// One node for all poses (EXT_mesh_gpu_instancing).
+    void add_instances(int mesh, const std::vector<MeshPose>& poses) {
+        std::vector<float> moves, turns, scales;
+        const auto append = [](std::vector<float>& list, SpacePoint p) {
+            for (const double value : {p.x, p.y, p.z}) list.push_back(static_cast<float>(value));
+        };
+        for (const MeshPose& pose : poses) {
+            append(moves, pose.translation);
+            for (const double value : pose.rotation) turns.push_back(static_cast<float>(value));
+            append(scales, pose.scale);
+        }
+        tinygltf::Value::Object attributes;
+        attributes["TRANSLATION"] = tinygltf::Value(add_numbers(moves, TINYGLTF_TYPE_VEC3, poses.size()));
+        attributes["ROTATION"] = tinygltf::Value(add_numbers(turns, TINYGLTF_TYPE_VEC4, poses.size()));
+        attributes["SCALE"] = tinygltf::Value(add_numbers(scales, TINYGLTF_TYPE_VEC3, poses.size()));
+        tinygltf::Value::Object extension;
+        extension["attributes"] = tinygltf::Value(std::move(attributes));
+        tinygltf::Node node;
+        node.mesh = mesh;
+        node.extensions[gpu_instancing] = tinygltf::Value(std::move(extension));
+        if (model_.extensionsUsed.empty()) {
+            model_.extensionsUsed.emplace_back(gpu_instancing);
+            model_.extensionsRequired.emplace_back(gpu_instancing);  // without it only one of many would be seen
+        }
+        add(std::move(node));
     }
 
     std::string bytes() {
@@ -94,8 +135,16 @@ class Glb {
     }
 
   private:
+    static constexpr const char* gpu_instancing = "EXT_mesh_gpu_instancing";
     tinygltf::Model model_;
+    bool two_sided_ = false;
     int root_ = -1;  ///< the node above all, -1 = none
+
+    void add(tinygltf::Node node) {
+        const int index = static_cast<int>(model_.nodes.size());
+        (root_ < 0 ? model_.scenes[0].nodes : model_.nodes[static_cast<std::size_t>(root_)].children).push_back(index);
+        model_.nodes.push_back(std::move(node));
+    }
 
     void add_turned_root() {
         tinygltf::Node node;
@@ -115,10 +164,23 @@ class Glb {
         view.byteOffset = buffer.size();
         view.byteLength = sizeof(Number) * numbers.size();
         view.target = target;
+        constexpr std::size_t most_bytes = std::size_t{1} << 31U;  // the file counts them in 32 bits
+        if (view.byteLength > most_bytes - buffer.size())
+            throw LimitError({}, "the .glb would have more than 2 GB; write instances, or fewer shapes");
         buffer.resize(buffer.size() + view.byteLength);
         std::memcpy(buffer.data() + view.byteOffset, numbers.data(), view.byteLength);
         model_.bufferViews.push_back(view);
         return static_cast<int>(model_.bufferViews.size()) - 1;
+    }
+
+    int add_numbers(const std::vector<float>& numbers, int type, std::size_t count) {
+        constexpr int no_target = 0;  // numbers of no mesh
+        tinygltf::Accessor accessor;
+        accessor.bufferView = add_view(numbers, no_target);
+        accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+        accessor.type = type;
+        accessor.count = count;
+        return add_accessor(accessor);
     }
 
     int add_accessor(tinygltf::Accessor accessor) {
@@ -166,22 +228,86 @@ class Glb {
         material.pbrMetallicRoughness.baseColorFactor = {linear(color.red), linear(color.green), linear(color.blue), 1};
         material.pbrMetallicRoughness.metallicFactor = 0;
         material.pbrMetallicRoughness.roughnessFactor = 0.6;  // neither a mirror nor chalk
+        material.doubleSided = two_sided_;
         model_.materials.push_back(material);
         return static_cast<int>(model_.materials.size()) - 1;
     }
 };
 
-}  // namespace
+/// By mesh, in order of their first instances: the poses of those that are no mirror images, and of those that are.
+struct MeshPoses {
+    int mesh = 0;
+    std::vector<MeshPose> straight, mirrored;
+};
 
-std::string glb_bytes(const MeshAssembly& assembly, UpAxis up) {
-    Glb glb(up);
+std::vector<MeshPoses> poses_by_mesh(const MeshAssembly& assembly) {
+    std::vector<MeshPoses> list;
+    std::vector<int> place(assembly.meshes.size(), -1);
+    for (const MeshInstance& instance : assembly.instances) {
+        int& at = place[static_cast<std::size_t>(instance.mesh)];
+        if (at < 0) {
+            at = static_cast<int>(list.size());
+            list.push_back({instance.mesh, {}, {}});
+        }
+        MeshPoses& poses = list[static_cast<std::size_t>(at)];
+        (is_mirrored(instance.pose) ? poses.mirrored : poses.straight).push_back(instance.pose);
+    }
+    return list;
+}
+
+constexpr MeshPose mirror{.scale = {-1, 1, 1}};
+
+void add_gpu_instances(Glb& glb, const MeshAssembly& assembly) {
+    for (MeshPoses& poses : poses_by_mesh(assembly)) {
+        const NamedMesh& named = assembly.meshes[static_cast<std::size_t>(poses.mesh)];
+        if (!poses.straight.empty()) {
+            const int mesh = glb.add_mesh(named);
+            // A node is smaller than a list of one, and needs no extension.
+            poses.straight.size() == 1 ? glb.add_node(mesh, poses.straight[0]) : glb.add_instances(mesh, poses.straight);
+        }
+        if (poses.mirrored.empty()) continue;
+        for (MeshPose& pose : poses.mirrored) pose.scale.x = -pose.scale.x;
+        glb.add_instances(glb.add_mesh(standing(named, mirror)), poses.mirrored);
+    }
+}
+
+void add_nodes(Glb& glb, const MeshAssembly& assembly) {
     std::vector<int> place(assembly.meshes.size(), -1);
     for (const MeshInstance& instance : assembly.instances) {
         int& mesh = place[static_cast<std::size_t>(instance.mesh)];
         if (mesh < 0) mesh = glb.add_mesh(assembly.meshes[static_cast<std::size_t>(instance.mesh)]);
         glb.add_node(mesh, instance.pose);
     }
+}
+
+void add_merged(Glb& glb, const MeshAssembly& assembly) {
+    for (const MeshPoses& poses : poses_by_mesh(assembly)) {
+        const NamedMesh& named = assembly.meshes[static_cast<std::size_t>(poses.mesh)];
+        NamedMesh all{.name = named.name, .color = named.color};
+        for (const auto* list : {&poses.straight, &poses.mirrored})
+            for (const MeshPose& pose : *list) append(all, standing(named, pose));
+        glb.add_node(glb.add_mesh(all), {});
+    }
+}
+
+}  // namespace
+
+std::string glb_bytes(const MeshAssembly& assembly, const GlbOptions& options) {
+    Glb glb(options);
+    switch (options.instancing) {
+        case GlbInstancing::gpu:
+            add_gpu_instances(glb, assembly);
+            break;
+        case GlbInstancing::nodes:
+            add_nodes(glb, assembly);
+            break;
+        case GlbInstancing::merge:
+            add_merged(glb, assembly);
+            break;
+    }
     return glb.bytes();
 }
+
+std::string glb_bytes(const MeshAssembly& assembly, UpAxis up) { return glb_bytes(assembly, GlbOptions{.up = up}); }
 
 }  // namespace rinceau

@@ -82,9 +82,41 @@ SpacePoint apply(const MeshPose& pose, SpacePoint p) {
     return pose.translation + scaled + pose.rotation[3] * twice + cross(axis, twice);
 }
 
+SpacePoint apply_to_normal(const MeshPose& pose, SpacePoint normal) {
+    const SpacePoint s = pose.scale;
+    const double outward = is_mirrored(pose) ? -1 : 1;
+    const SpacePoint across{s.y * s.z * normal.x, s.z * s.x * normal.y, s.x * s.y * normal.z};  // of a scaled surface
+    return unit(apply(MeshPose{.rotation = pose.rotation}, outward * unit(across)));
+}
+
 std::array<double, 4> rotation_about(SpacePoint axis, double angle) {
     const double s = std::sin(angle / 2);
     return {s * axis.x, s * axis.y, s * axis.z, std::cos(angle / 2)};
+}
+
+std::vector<std::array<SpacePoint, 3>> corner_normals(const NamedMesh& named, double crease) {
+    if (named.normals.empty()) return corner_normals(named.mesh, crease);
+    std::vector<std::array<SpacePoint, 3>> normals;
+    normals.reserve(named.mesh.triangles.size());
+    const auto at = [&](int v) { return named.normals[static_cast<std::size_t>(v)]; };
+    for (const auto& [a, b, c] : named.mesh.triangles) normals.push_back({at(a), at(b), at(c)});
+    return normals;
+}
+
+NamedMesh standing(const NamedMesh& named, const MeshPose& pose) {
+    NamedMesh result = named;
+    for (SpacePoint& p : result.mesh.positions) p = apply(pose, p);
+    for (SpacePoint& n : result.normals) n = apply_to_normal(pose, n);
+    if (is_mirrored(pose))
+        for (auto& triangle : result.mesh.triangles) std::swap(triangle[1], triangle[2]);
+    return result;
+}
+
+void append(NamedMesh& to, const NamedMesh& more) {
+    const int first = static_cast<int>(to.mesh.positions.size());
+    to.mesh.positions.insert(to.mesh.positions.end(), more.mesh.positions.begin(), more.mesh.positions.end());
+    to.normals.insert(to.normals.end(), more.normals.begin(), more.normals.end());
+    for (const auto& [a, b, c] : more.mesh.triangles) to.mesh.triangles.push_back({first + a, first + b, first + c});
 }
 
 }  // namespace rinceau

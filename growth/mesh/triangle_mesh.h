@@ -50,6 +50,11 @@ struct MeshPose {
 };
 
 SpacePoint apply(const MeshPose& pose, SpacePoint p);
+/// A normal of length 1 as it stands on the scaled and turned surface; of length 1. No scale is 0. A mirrored pose turns the
+/// surface inside out; its normals stay outward.
+SpacePoint apply_to_normal(const MeshPose& pose, SpacePoint normal);
+/// Does the scale make a mirror image?
+constexpr bool is_mirrored(const MeshPose& pose) { return pose.scale.x * pose.scale.y * pose.scale.z < 0; }
 
 /// Turning by `angle` (radians, counter-clockwise seen from the tip) about a unit axis, as a quaternion.
 std::array<double, 4> rotation_about(SpacePoint axis, double angle);
@@ -58,7 +63,11 @@ struct NamedMesh {
     std::string name;
     TriangleMesh mesh;
     Color color{204, 204, 204};
+    std::vector<SpacePoint> normals;  ///< by position, of length 1: what the surface looks like; empty = the triangles' own
 };
+
+/// Its own normals, or those of its triangles as corner_normals() of the mesh.
+std::vector<std::array<SpacePoint, 3>> corner_normals(const NamedMesh& named, double crease);
 
 struct MeshInstance {
     int mesh = 0;  ///< index into MeshAssembly::meshes
@@ -70,5 +79,11 @@ struct MeshAssembly {
     std::vector<NamedMesh> meshes;
     std::vector<MeshInstance> instances;
 };
+
+/// The triangles of an instance where they stand, outward sides outward, with the colour and, if it has some, the normals.
+NamedMesh standing(const NamedMesh& named, const MeshPose& pose);
+
+/// Adds the other's triangles behind; both have normals, or neither, unless `to` is empty.
+void append(NamedMesh& to, const NamedMesh& more);
 
 }  // namespace rinceau
