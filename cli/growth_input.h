@@ -15,6 +15,16 @@ struct GrowthInput {
     std::vector<std::string> warnings;  ///< of reading, of the analysis and of the figures; they were said
 };
 
+/// Rules as they were read, or found in a drawing.
+struct AnalyzedInput {
+    Grammar grammar;
+    std::vector<std::string> warnings;  ///< they were said
+};
+
+/// The rules of the bytes of the file `name`: a drawing, which is analysed, or a grammar. Says warnings. Throws as read_svg(),
+/// read_grammar() and analyze().
+AnalyzedInput read_rules(const std::string& name, const std::string& bytes, int threads);
+
 /// Reads `name` (.svg, .svgz, .lsys, .json, or - for standard input). Says warnings. Throws as read_input(), read_svg(),
 /// read_grammar(), analyze() and figures_of().
 GrowthInput read_growth_input(const std::string& name, const FigureOptions& options, int threads);
