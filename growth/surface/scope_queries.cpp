@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "growth/surface/field_gradient.h"
+#include "growth/surface/plane_picture.h"
 
 namespace rinceau {
 
@@ -38,7 +40,56 @@ double length_two(const FieldOnSurface& field, SurfacePoint p) {
     return field.n() == 2 ? field.isotropic_at(p) - abs(field.at(p)) : abs(field.at(p));
 }
 
+/// Of numbers by vertex, linear within the face.
+Complex gradient_of(const std::vector<double>& numbers, const SurfaceMesh& surface, int face) {
+    if (numbers.empty()) return {};
+    const auto& corners = surface.mesh.triangles[static_cast<std::size_t>(face)];
+    const auto& flat = surface.flat[static_cast<std::size_t>(face)];
+    const double twice_area = cross(flat[1] - flat[0], flat[2] - flat[0]);
+    Complex sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Complex opposite = flat[(k + 2) % 3] - flat[(k + 1) % 3];
+        sum += numbers[static_cast<std::size_t>(corners[k])] / twice_area * (quarter_turn * opposite);
+    }
+    return sum;
+}
+
+/// Of length1, in the face's frame: the strength abs(z) changes as z does along its own direction.
+Complex gradient_of_length(const FieldOnSurface& field, SurfacePoint p) {
+    if (!field.field().scalar.empty()) return scalar_gradient(field, p);
+    const Complex z = field.at(p);
+    if (abs(z) == 0) return {};
+    const VectorGradient change = value_gradient(field, p);
+    const Complex strength{dot(z, change.by_x) / abs(z), dot(z, change.by_y) / abs(z)};
+    return field.n() == 2 ? strength + gradient_of(field.field().isotropic, field.surface(), p.face) : strength;
+}
+
+/// Of the field line, for vectors of any length.
+double line_curvature(const FieldOnSurface& field, SurfacePoint p, Complex one) {
+    const double curvature = streamline_curvature(vector_gradient(field, p, one), one);
+    const double strength = field.n() == 1 ? abs(field.at(p)) : 1;
+    return strength > 0 ? curvature / strength : 0;
+}
+
 }  // namespace
+
+double ScopeQueries::from_picture(const FieldOnSurface& field, FieldQuantity quantity) {
+    if (!field.field().picture) return quantity == FieldQuantity::brightness ? field.scalar_at(scope_->at) : 0;
+    const PlanePicture& picture = *field.field().picture;
+    const SpacePoint p = frame().position;
+    if (quantity == FieldQuantity::brightness) return brightness_at(picture, {p.x, p.y});
+    return colour_at(picture, {p.x, p.y})[quantity == FieldQuantity::red ? 0 : quantity == FieldQuantity::green ? 1 : 2];
+}
+
+/// In space, to the nearest singular point.
+double ScopeQueries::to_singular_point(int number, const FieldOnSurface& field) {
+    const auto [known, is_new] = singular_.try_emplace(number);
+    if (is_new)
+        for (const int face : field.singular_faces())
+            known->second.add(position_in_space(field.surface(), {face, field.zero(face)}));
+    const auto nearest = known->second.nearest(position_in_space(field.surface(), scope_->at));
+    return nearest ? nearest->distance : field.surface().diagonal;
+}
 
 const ScopeFrame& ScopeQueries::frame() {
     if (!frame_) frame_ = frame_in_space(*world_->surface, *scope_);
@@ -81,8 +132,23 @@ double ScopeQueries::of_field(const ShapeQuery& query) {
             return in_space(one);
         case FieldQuantity::direction2:
             return in_space(two);
+        case FieldQuantity::divergence:
+            return divergence(vector_gradient(field, p, one));
+        case FieldQuantity::curl:
+            return curl(vector_gradient(field, p, one));
+        case FieldQuantity::curvature:
+            return line_curvature(field, p, one);
+        case FieldQuantity::gradient:
+            return in_space(gradient_of_length(field, p));
         case FieldQuantity::index:
             return field.index(p.face);
+        case FieldQuantity::distance:
+            return to_singular_point(query.field, field);
+        case FieldQuantity::red:
+        case FieldQuantity::green:
+        case FieldQuantity::blue:
+        case FieldQuantity::brightness:
+            return from_picture(field, query.quantity);
     }
     return 0;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What rules ask of the place where they stand (Li et al. 2010, section 4.3.2).
 
+#include <map>
 #include <optional>
 
 #include "growth/surface/placed_shapes.h"
@@ -32,11 +33,14 @@ class ScopeQueries : public QuerySource {
     const ShapeKin* kin_;
     const ShapeScope* scope_ = nullptr;
     int depth_ = 0;
-    std::optional<ScopeFrame> frame_;  ///< made when it is asked for
+    std::optional<ScopeFrame> frame_;       ///< made when it is asked for
+    std::map<int, PlacedPoints> singular_;  ///< by the grammar's field, made when they are asked for
 
     const ScopeFrame& frame();
     double near(int shape);
     double of_field(const ShapeQuery& query);
+    double from_picture(const FieldOnSurface& field, FieldQuantity quantity);
+    double to_singular_point(int number, const FieldOnSurface& field);
 };
 
 }  // namespace rinceau

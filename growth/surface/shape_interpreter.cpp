@@ -273,8 +273,8 @@ void ShapeInterpreter::set_color(const CompiledShapeCommand& command, ShapeScope
         scope.color = std::make_shared<const Color>(palette_color(number(command, 0, scope, production)));
     } else {
         scope.color = std::make_shared<const Color>(color_of_channels(number(command, 0, scope, production),
-                                                                    number(command, 1, scope, production),
-                                                                    number(command, 2, scope, production)));
+                                                                      number(command, 1, scope, production),
+                                                                      number(command, 2, scope, production)));
     }
 }
 
@@ -317,8 +317,12 @@ ShapeInterpreter::Hit ShapeInterpreter::place(const CompiledShapeCommand& comman
     shape.depth = production.depth;
     shape.tested = command.verb == ShapeVerb::place_clear || set_ || ground_->options.collide_all;
     if (scope.attributes) shape.attributes = *scope.attributes;
+    const std::vector<int> kin = kin_.last(scope.kin, std::max(1, ground_->options.kin));
+    shape.parent = kin.empty() ? -1 : kin.front();
+    shape.set = set_ ? set_number_ : -1;
     const int end = set_ ? set_->first : placed_.size();
-    if (shape.tested && placed_.overlaps(shape, frame, kin_.last(scope.kin, ground_->options.kin), end)) {
+    const std::span<const int> may_touch = std::span(kin).first(std::min(kin.size(), at(ground_->options.kin)));
+    if (shape.tested && placed_.overlaps(shape, frame, may_touch, end)) {
         ++counts_.collisions_avoided;
         if (set_) set_->failed = true;
         return Hit::omitted;
@@ -416,6 +420,7 @@ ShapeInterpreter::Hit ShapeInterpreter::lock(const CompiledShapeCommand& command
         return Hit::omitted;
     }
     lines_.keep_set();
+    ++set_number_;
     for (int number = std::max(first, placed_.size() - ground_->options.kin); number < placed_.size(); ++number)
         scope.kin = kin_.with(scope.kin, number);
     return Hit::none;

@@ -83,6 +83,7 @@ class ShapeInterpreter {
     PatternCounts counts_;
     std::vector<long> applied_;
     std::optional<Set> set_;
+    int set_number_ = 0;  ///< of the next Lock that stands
     std::optional<int> endless_lock_;
     long sequence_ = 0;
 
