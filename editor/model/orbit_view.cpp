@@ -69,8 +69,15 @@ SeenPlace seen_at(const OrbitView& view, SpacePoint place) {
 
 OrbitView fitted_to(OrbitView view, SpacePoint low, SpacePoint high) {
     view.centre = 0.5 * (low + high);
-    const double across = std::max(abs(high - low), 1e-12);
-    view.zoom = std::max(1.0, std::min(view.size.x, view.size.y)) / (margin * across);
+    const OrbitFrame frame = orbit_frame(view);
+    const SpacePoint half = 0.5 * (high - low);
+    const auto reach = [&](SpacePoint way) {
+        return std::abs(way.x) * half.x + std::abs(way.y) * half.y + std::abs(way.z) * half.z;
+    };
+    constexpr double smallest = 1e-12;
+    const double wide = view.size.x / (2 * std::max(reach(frame.right), smallest));
+    const double high_enough = view.size.y / (2 * std::max(reach(frame.up), smallest));
+    view.zoom = std::min(wide, high_enough) / margin;
     return view;
 }
 
