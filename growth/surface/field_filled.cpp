@@ -49,16 +49,6 @@ void check(const SurfaceMesh& surface, const SurfaceField& field) {
     for (std::size_t v = 0; v < field.scalar.size(); ++v) check_finite(field, field.scalar[v], v);
 }
 
-void check_plane(const SurfaceMesh& surface, const SurfaceField& field) {
-    constexpr double slack = 1e-9;
-    const double z = surface.mesh.positions.front().z;
-    for (const SpacePoint p : surface.mesh.positions)
-        if (std::abs(p.z - z) > slack * surface.diagonal)
-            fail(field, "this kind of field is of the plane, and the surface is not flat; expected a surface with z = 0");
-    for (const auto& frame : surface.frame)
-        if (frame[2].z < 0) fail(field, "this kind of field is of the plane, and the surface's faces look down -z");
-}
-
 /// In the frames of the vertices, whose x axis is the way of outgoing[v].
 std::vector<Complex> sampled(const SurfaceMesh& surface, const SurfaceField& field) {
     std::vector<Complex> values;
@@ -202,10 +192,20 @@ Complex plane_value(const SurfaceField& field, Point place) {
     return power(ray / length, field.n) * polar(1, field.n * form.angle);
 }
 
+bool is_plane(const SurfaceMesh& surface) {
+    constexpr double slack = 1e-9;  // diagonals
+    const double z = surface.mesh.positions.front().z;
+    const auto level = [&](SpacePoint p) { return std::abs(p.z - z) <= slack * surface.diagonal; };
+    return std::ranges::all_of(surface.mesh.positions, level) &&
+           std::ranges::all_of(surface.frame, [](const auto& frame) { return frame[2].z > 0; });
+}
+
 SurfaceField filled_field(const SurfaceMesh& surface, SurfaceField field) {
     check(surface, field);
     if (of_plane(field)) {
-        check_plane(surface, field);
+        if (!is_plane(surface))
+            fail(field,
+                 "this kind of field is of the plane, and the surface is not flat in z = 0 and facing +z; use elements");
         field.values = sampled(surface, field);
     }
     double strongest = 0;

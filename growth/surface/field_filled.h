@@ -18,6 +18,9 @@ inline bool of_plane(const SurfaceField& field) { return field.exact || field.al
 /// The value of a form of the plane at a place, against the x axis; 0 at its centre.
 Complex plane_value(const SurfaceField& field, Point place);
 
+/// Is the surface a piece of the plane z = const, facing +z?
+bool is_plane(const SurfaceMesh& surface);
+
 /// Throws InputError as FieldOnSurface says; no value of the result is 0.
 SurfaceField filled_field(const SurfaceMesh& surface, SurfaceField field);
 

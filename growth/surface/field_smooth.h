@@ -14,6 +14,8 @@ namespace rinceau {
 /// negative or not finite.
 SurfaceField smoothed(const SurfaceMesh& surface, SurfaceField field, double radius, const Progress& progress = {});
 
+inline constexpr int most_smoothing_rounds = 100'000;
+
 /// The paper's way: `rounds` times every vertex moves half-way to the mean of its neighbours. With `only` the vertices of a
 /// region alone, all others stay.
 SurfaceField smoothed_by_rounds(const SurfaceMesh& surface, SurfaceField field, int rounds,
