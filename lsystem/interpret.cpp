@@ -92,6 +92,8 @@ class Turtle {
 
     void exception(int) {}
 
+    const Similarity& pose() const { return state_.pose; }
+
   private:
     /// What an exception draws belongs to the production that placed the module it replaces.
     static int production_of(const StreamPlace& place) {
@@ -167,6 +169,63 @@ class Turtle {
     }
 };
 
+/// A turtle that tells of its way.
+template <class Placed>
+class FollowedTurtle {
+  public:
+    FollowedTurtle(const CompiledGrammar& grammar, const InterpretOptions& options,
+                   const std::function<void(const TurtleEvent&)>& visit, Placed placed)
+        : turtle_(grammar, options, placed), visit_(visit) {}
+
+    void command(const CompiledModule& module, std::span<const double> arguments) {
+        turtle_.command(module, arguments);
+        if (const std::optional<TurtleEventKind> kind = kind_of(static_cast<TurtleCommand>(module.symbol))) tell(*kind);
+    }
+    void leaf(const CompiledModule& module, std::span<const double> arguments, const StreamPlace& place) {
+        turtle_.leaf(module, arguments, place);
+    }
+    void exception(int) {}
+    void opened(const CompiledModule& module, std::span<const double>, int) {
+        const bool goes_on = !open_.empty() && open_.back().symbol == module.symbol;
+        open_.push_back({module.symbol, goes_on});
+        if (!goes_on) tell(TurtleEventKind::opened);
+    }
+    void closed() {
+        const bool went_on = open_.back().goes_on;
+        open_.pop_back();
+        if (!went_on) tell(TurtleEventKind::closed);
+    }
+
+  private:
+    struct Open {
+        Symbol symbol = 0;
+        bool goes_on = false;
+    };
+    Turtle<Placed> turtle_;
+    const std::function<void(const TurtleEvent&)>& visit_;
+    std::vector<Open> open_;
+
+    void tell(TurtleEventKind kind) { visit_({kind, turtle_.pose(), nullptr}); }
+
+    static std::optional<TurtleEventKind> kind_of(TurtleCommand command) {
+        switch (command) {
+            case TurtleCommand::left:
+            case TurtleCommand::right:
+            case TurtleCommand::scale:
+            case TurtleCommand::mirror:
+                return TurtleEventKind::turned;
+            case TurtleCommand::forward:
+                return TurtleEventKind::moved;
+            case TurtleCommand::push:
+                return TurtleEventKind::pushed;
+            case TurtleCommand::pop:
+                return TurtleEventKind::popped;
+            default:
+                return std::nullopt;  // how what follows is painted is told with it
+        }
+    }
+};
+
 template <class Visit>
 void walk(const Grammar& grammar, const InterpretOptions& options, const Progress& progress, Visit visit) {
     const CompiledGrammar compiled = compile(grammar, options.derive.seed);
@@ -187,6 +246,14 @@ std::vector<Placement> interpret(const Grammar& grammar, const InterpretOptions&
 void visit_placements(const Grammar& grammar, const InterpretOptions& options,
                       const std::function<void(const Placement&)>& visit, const Progress& progress) {
     walk(grammar, options, progress, [&](Placement& placement) { visit(placement); });
+}
+
+void visit_turtle(const Grammar& grammar, const InterpretOptions& options,
+                  const std::function<void(const TurtleEvent&)>& visit, const Progress& progress) {
+    const CompiledGrammar compiled = compile(grammar, options.derive.seed);
+    const auto placed = [&](Placement& placement) { visit({TurtleEventKind::placed, placement.pose, &placement}); };
+    FollowedTurtle turtle(compiled, options, visit, placed);
+    stream_modules(compiled, options.derive, progress, options.addresses || options.trails, turtle);
 }
 
 }  // namespace rinceau

@@ -58,4 +58,27 @@ std::vector<Placement> interpret(const Grammar& grammar, const InterpretOptions&
 void visit_placements(const Grammar& grammar, const InterpretOptions& options,
                       const std::function<void(const Placement&)>& visit, const Progress& progress = {});
 
+/// What happens to the turtle, one after the other.
+enum class TurtleEventKind : unsigned char {
+    turned,  ///< or scaled, or mirrored: all but its place
+    moved,
+    pushed,
+    popped,
+    placed,  ///< a terminal
+    opened,  ///< the modules of a symbol begin; what a production makes of its own symbol again goes on in the same ones
+    closed,
+};
+
+/// References hold during the call only.
+struct TurtleEvent {
+    TurtleEventKind kind = TurtleEventKind::turned;
+    const Similarity& pose;                ///< the turtle's, afterwards
+    const Placement* placement = nullptr;  ///< of placed
+};
+
+/// The same derivation with the turtle's whole way, for interpretations elsewhere than in the plane. Brackets and symbols
+/// nest each by themselves, but a symbol's modules may end outside of a bracket that they opened. Throws as interpret().
+void visit_turtle(const Grammar& grammar, const InterpretOptions& options,
+                  const std::function<void(const TurtleEvent&)>& visit, const Progress& progress = {});
+
 }  // namespace rinceau

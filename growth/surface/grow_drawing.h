@@ -5,13 +5,11 @@
 #include <optional>
 
 #include "geometry/progress.h"
+#include "growth/surface/lay_script.h"
 #include "growth/surface/surface_pattern.h"
-#include "growth/surface/trace.h"
 #include "lsystem/grammar.h"
 
 namespace rinceau {
-
-enum class LayGroups : unsigned char { automatic, never, always };
 
 struct GrowDrawingOptions {
     std::optional<SurfacePoint> start;  ///< without one: a place far from borders and sharp bends

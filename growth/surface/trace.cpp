@@ -15,26 +15,21 @@
 #include <limits>
 
 #include "geometry/angle.h"
+#include "growth/surface/field_filled.h"
 
 namespace rinceau {
 namespace {
 
-constexpr int most_halvings = 8;          // of a step that turns too much
-constexpr double share_of_distance = 0.25;  // of a step near a singular point
+constexpr int most_halvings = 8;              // of a step that turns too much
+constexpr double share_of_distance = 0.25;    // of a step near a singular point
 constexpr double smallest_near_zero = 0.005;  // of the longest edge: steps at a singular point that is not jumped over
-constexpr double edge_ends = 1e-12;       // of an edge: crossings stay so far from vertices, where the way out is not defined
-constexpr double parallel = 1e-12;        // a way that leaves an edge by less, per length, runs along it
-constexpr double longer_to_edge = 1.5;    // the piece that ends on an edge may be so much longer than foreseen
-constexpr double no_way = 1e-9;           // a piece shorter than this share of the foreseen one makes no way
-constexpr int least_substeps = 4;         // of a move that follows the field in part
+constexpr double edge_ends = 1e-12;     // of an edge: crossings stay so far from vertices, where the way out is not defined
+constexpr double parallel = 1e-12;      // a way that leaves an edge by less, per length, runs along it
+constexpr double longer_to_edge = 1.5;  // the piece that ends on an edge may be so much longer than foreseen
+constexpr double no_way = 1e-9;         // a piece shorter than this share of the foreseen one makes no way
+constexpr int least_substeps = 4;       // of a move that follows the field in part
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-Complex power(Complex z, int n) {
-    Complex product = z;
-    for (int order = 1; order < n; order *= 2) product = product * product;
-    return product;
-}
 
 /// The edge ahead of a point in its face.
 struct EdgeAhead {
@@ -245,7 +240,8 @@ SurfaceTrace Walk::result() const {
     SurfaceTrace walk = walk_;
     walk.end = at_;
     walk.direction = direction_;
-    if (options_.keep_path && !(walk.path.back().face == at_.face && walk.path.back().at == at_.at)) walk.path.push_back(at_);
+    if (options_.keep_path && !(walk.path.back().face == at_.face && walk.path.back().at == at_.at))
+        walk.path.push_back(at_);
     return walk;
 }
 

@@ -1,0 +1,73 @@
+#pragma once
+// Elements of a drawing laid on a surface together, through one chart about their middle.
+
+#include <span>
+#include <vector>
+
+#include "growth/surface/laid_shape.h"
+#include "growth/surface/surface_turtle.h"
+
+namespace rinceau {
+
+/// An element with what it paints; art is nullptr if it is not to be laid.
+struct DrawnElement {
+    const TerminalArt* art = nullptr;
+    Similarity pose;          ///< terminal -> drawing
+    std::vector<Point> hull;  ///< of the art, in the drawing
+    Box box;
+};
+
+DrawnElement drawn_element(const TerminalArt& art, const Similarity& pose);
+
+/// A disc of the drawing about the middle of the box of some elements.
+struct DrawnDisc {
+    Point centre;
+    double radius = 0;
+    double largest = 0;  ///< radius of the largest of them, about its own middle
+};
+DrawnDisc disc_of(std::span<const DrawnElement> elements, std::span<const int> chosen);
+
+/// The chart, with the drawing's place at its origin and the drawing's x along its own.
+struct ElementChart {
+    DrawingChart chart;
+    DrawingStand middle;
+    double scale = 1;  ///< chart length of a unit of the drawing
+
+    Point of(Point drawn) const { return scale * (drawn - middle.drawn); }
+};
+
+/// Makes charts and lays elements through them. Refers to the surface, which must outlive it.
+class ElementLayer {
+  public:
+    ElementLayer(const SurfaceMesh& surface, double scale, bool rims)
+        : surface_(&surface), scale_(scale), rims_(rims), patches_(surface) {}
+
+    /// `radius` in the drawing.
+    ElementChart polar_chart(const DrawingStand& middle, double radius);
+    /// The same with its stretch shared out; wider, as what lies within the radius moves.
+    ElementChart relaxed_polar_chart(const DrawingStand& middle, double radius);
+
+    struct Size {
+        double factor = 1;  ///< of the elements, about `about`
+        Point about;        ///< place in the drawing
+    };
+    struct Result {
+        LayFault fault = LayFault::none;  ///< of the first element found that cannot be laid; then there are no shapes
+        std::vector<LaidShape> shapes;    ///< as chosen
+    };
+    /// All of the chosen elements, or none.
+    Result lay(const ElementChart& chart, std::span<const DrawnElement> elements, std::span<const int> chosen,
+               double stretch, const Size& size = {1, {}});
+
+  private:
+    LayFault lay_one(const ElementChart& chart, const DrawnElement& element, double stretch, const Size& size,
+                     LaidShape& shape);
+
+    const SurfaceMesh* surface_;
+    double scale_;
+    bool rims_;
+    PatchMaker patches_;
+    ChartVisits visits_;
+};
+
+}  // namespace rinceau
