@@ -1,11 +1,11 @@
-// Overlaps are found by a sweep along the x axis over spheres about the bodies, not by the hash grid that placing uses; the
-// narrow test is the same (bodies_overlap.h; its agreement with Bullet is a test of its own).
+// Overlaps are found by a sweep along the x axis over spheres about the shapes, not by the hash grid that placing uses, and
+// by their meshes (solids_overlap.h), not by the bodies that stand for them then.
 #include "growth/surface/measure_pattern.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "growth/surface/bodies_overlap.h"
+#include "growth/surface/solids_overlap.h"
 
 namespace rinceau {
 
@@ -41,28 +41,28 @@ bool is_ancestor(const SurfacePattern& pattern, int ancestor, int of, int genera
     return false;
 }
 
-struct SweptBody {
-    CollisionBody body;
+struct SweptSolid {
+    PlacedSolid solid;
+    SpacePoint centre, normal;  ///< normal: of the surface
     double radius = 0;
     int shape = 0;
 };
 
-std::vector<SweptBody> bodies_by_x(const SurfacePattern& pattern, const SurfaceMesh& surface) {
-    std::vector<SweptBody> bodies;
+std::vector<SweptSolid> solids_by_x(const SurfacePattern& pattern, const SurfaceMesh& surface) {
+    std::vector<SweptSolid> solids;
     for (std::size_t i = 0; i < pattern.placed.size(); ++i) {
         const PatternShape& shape = pattern.placed[i];
-        const SpacePoint normal = normal_at(surface, shape.at);
-        const double lift = dot(shape.position - position_in_space(surface, shape.at), normal);
-        SweptBody one{.body = collision_body(pattern.shapes[static_cast<std::size_t>(shape.shape)], shape.position,
-                                             shape.axes, shape.size, normal, lift),
-                      .shape = static_cast<int>(i)};
-        one.radius = radius_of(one.body);
-        bodies.push_back(one);
+        SweptSolid one{
+            .solid = {&pattern.shapes[static_cast<std::size_t>(shape.shape)], shape.position, shape.axes, shape.size},
+            .normal = normal_at(surface, shape.at),
+            .shape = static_cast<int>(i)};
+        one.centre = centre_of(one.solid);
+        one.radius = radius_of(one.solid);
+        solids.push_back(one);
     }
-    std::stable_sort(bodies.begin(), bodies.end(), [](const SweptBody& a, const SweptBody& b) {
-        return a.body.centre.x - a.radius < b.body.centre.x - b.radius;
-    });
-    return bodies;
+    std::stable_sort(solids.begin(), solids.end(),
+                     [](const SweptSolid& a, const SweptSolid& b) { return a.centre.x - a.radius < b.centre.x - b.radius; });
+    return solids;
 }
 
 class OverlapCount {
@@ -70,14 +70,20 @@ class OverlapCount {
     OverlapCount(const SurfacePattern& pattern, const PatternMeasureOptions& options)
         : pattern_(&pattern), options_(&options) {}
 
-    bool is_overlap(const SweptBody& a, const SweptBody& b) const {
+    void look_at(const SweptSolid& a, const SweptSolid& b, PatternMeasures& result) const {
         const int first = std::min(a.shape, b.shape), later = std::max(a.shape, b.shape);
         const PatternShape& one = pattern_->placed[static_cast<std::size_t>(first)];
         const PatternShape& other = pattern_->placed[static_cast<std::size_t>(later)];
-        if (!other.tested || (one.set >= 0 && one.set == other.set)) return false;
-        double shrink = 1 - options_->touch - options_->dead_band;
-        if (is_ancestor(*pattern_, first, later, options_->kin)) shrink /= 2;
-        return bodies_overlap(a.body, b.body, shrink, shrink);
+        if (!other.tested || (one.set >= 0 && one.set == other.set)) return;
+        const double shrink = 1 - options_->touch - options_->dead_band;
+        if (!solids_overlap(a.solid, b.solid, shrink)) return;
+        constexpr double opposed = -0.3;  // cosine of the normals on both faces of a thin sheet
+        if (is_ancestor(*pattern_, first, later, options_->kin)) {
+            const bool deep = solids_overlap(a.solid, b.solid, shrink / 2);
+            ++(deep ? result.overlaps : result.kin_touching);
+        } else {
+            ++(dot(a.normal, b.normal) < opposed ? result.through_sheet : result.overlaps);
+        }
     }
 
   private:
@@ -85,26 +91,26 @@ class OverlapCount {
     const PatternMeasureOptions* options_;
 };
 
-bool spheres_meet(const SweptBody& a, const SweptBody& b) {
-    const SpacePoint apart = a.body.centre - b.body.centre;
+bool spheres_meet(const SweptSolid& a, const SweptSolid& b) {
+    const SpacePoint apart = a.centre - b.centre;
     return dot(apart, apart) < (a.radius + b.radius) * (a.radius + b.radius);
 }
 
 void count_overlaps(const SurfacePattern& pattern, const SurfaceMesh& surface, const PatternMeasureOptions& options,
                     PatternMeasures& result) {
-    const std::vector<SweptBody> bodies = bodies_by_x(pattern, surface);
+    const std::vector<SweptSolid> solids = solids_by_x(pattern, surface);
     const OverlapCount count(pattern, options);
-    std::vector<std::size_t> open;  // bodies whose spheres reach beyond the sweep
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const double sweep = bodies[i].body.centre.x - bodies[i].radius;
-        std::erase_if(open, [&](std::size_t j) { return bodies[j].body.centre.x + bodies[j].radius <= sweep; });
+    std::vector<std::size_t> open;  // solids whose spheres reach beyond the sweep
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        const double sweep = solids[i].centre.x - solids[i].radius;
+        std::erase_if(open, [&](std::size_t j) { return solids[j].centre.x + solids[j].radius <= sweep; });
         for (const std::size_t j : open) {
-            if (!spheres_meet(bodies[i], bodies[j])) continue;
+            if (!spheres_meet(solids[i], solids[j])) continue;
             if (++result.pairs > options.max_pairs) {
                 result.complete = false;
                 return;
             }
-            result.overlaps += count.is_overlap(bodies[i], bodies[j]) ? 1 : 0;
+            count.look_at(solids[i], solids[j], result);
         }
         open.push_back(i);
     }

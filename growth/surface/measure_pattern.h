@@ -13,9 +13,11 @@ struct PatternMeasureOptions {
 };
 
 struct PatternMeasures {
-    long overlaps = 0;     ///< pairs of shapes that overlap although the later one was tested
-    long pairs = 0;        ///< of shapes near enough to be looked at
-    bool complete = true;  ///< false: max_pairs was reached
+    long overlaps = 0;       ///< pairs of shapes that overlap although the later one was tested
+    long kin_touching = 0;   ///< pairs of a shape and an ancestor that overlap no more than they may
+    long through_sheet = 0;  ///< pairs on both faces of a thin sheet that meet inside of it: tested are the parts above
+    long pairs = 0;          ///< of shapes near enough to be looked at
+    bool complete = true;    ///< false: max_pairs was reached
     /// Largest distance of a foot (where a shape stands, where a line has a point) from the surface, and of a shape's
     /// position from the normal through its foot; share of the surface's diagonal.
     double surface_distance_max = 0;
