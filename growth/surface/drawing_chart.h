@@ -1,10 +1,12 @@
 #pragma once
 // A patch of a surface laid flat to draw on it, with what each triangle of it does to a drawing.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "geometry/box.h"
 #include "growth/surface/polar_map.h"
 #include "growth/surface/surface_chart.h"
 
