@@ -1,5 +1,7 @@
 #include "cli/growth_input.h"
 
+#include <filesystem>
+
 #include "analyzer/analyze.h"
 #include "cli/messages.h"
 #include "cli/progress_bar.h"
@@ -9,34 +11,48 @@
 namespace rinceau {
 namespace {
 
-void add_warnings(const std::vector<std::string>& warnings, GrowthInput& input) {
+void add_warnings(const std::vector<std::string>& warnings, std::vector<std::string>& said) {
     for (const std::string& warning : warnings) say("warning: " + warning);
-    input.warnings.insert(input.warnings.end(), warnings.begin(), warnings.end());
+    said.insert(said.end(), warnings.begin(), warnings.end());
 }
 
-Grammar analyzed(const std::string& bytes, int threads, GrowthInput& input) {
-    const SvgReadResult drawing = read_svg(bytes, {.file_name = input.label});
+AnalyzedInput analyzed(const std::string& bytes, const std::string& label, int threads) {
+    const SvgReadResult drawing = read_svg(bytes, {.file_name = label});
     std::vector<std::string> warnings;
     for (const Warning& warning : drawing.warnings) warnings.push_back(located(warning.place, warning.message));
-    add_warnings(warnings, input);
+    AnalyzedInput input;
+    add_warnings(warnings, input.warnings);
     ProgressBar bar;
     AnalyzeOptions options;
     options.threads = threads;
     Analysis analysis = analyze(drawing.scene, options, bar.callback());
-    add_warnings(analysis.report.warnings, input);
-    return std::move(analysis.grammar);
+    add_warnings(analysis.report.warnings, input.warnings);
+    input.grammar = std::move(analysis.grammar);
+    return input;
 }
 
 }  // namespace
 
+AnalyzedInput read_rules(const std::string& name, const std::string& bytes, int threads) {
+    if (looks_like_drawing(bytes)) return analyzed(bytes, input_label(name), threads);
+    return {read_grammar(name, bytes), {}};
+}
+
 GrowthInput read_growth_input(const std::string& name, const FigureOptions& options, int threads) {
     GrowthInput input{.label = input_label(name)};
     const std::string bytes = read_input(name);
-    const Grammar grammar = looks_like_drawing(bytes) ? analyzed(bytes, threads, input) : read_grammar(name, bytes);
+    AnalyzedInput rules = read_rules(name, bytes, threads);
+    input.warnings = std::move(rules.warnings);
     ProgressBar bar;
-    input.drawing = figures_of(grammar, options, bar.callback());
-    add_warnings(input.drawing.warnings, input);
+    input.drawing = figures_of(rules.grammar, options, bar.callback());
+    add_warnings(input.drawing.warnings, input.warnings);
     return input;
+}
+
+std::function<std::string(const std::string& named)> files_beside(const std::string& name) {
+    return [folder = std::filesystem::path(name).parent_path()](const std::string& named) {
+        return read_input((folder / named).string());  // a whole path takes the folder's place
+    };
 }
 
 Scene read_guide(const std::string& name) {

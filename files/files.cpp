@@ -107,14 +107,15 @@ FileFormat format_of(const std::string& name, FileFormat standard_output) {
     if (is_standard_stream(name)) return standard_output;
     std::string ending = std::filesystem::path(name).extension().string();
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    constexpr std::array<std::pair<std::string_view, FileFormat>, 8> endings{{{".svg", FileFormat::svg},
+    constexpr std::array<std::pair<std::string_view, FileFormat>, 9> endings{{{".svg", FileFormat::svg},
                                                                               {".png", FileFormat::png},
                                                                               {".pdf", FileFormat::pdf},
                                                                               {".lsys", FileFormat::lsys},
                                                                               {".json", FileFormat::json},
                                                                               {".csv", FileFormat::csv},
                                                                               {".obj", FileFormat::obj},
-                                                                              {".glb", FileFormat::glb}}};
+                                                                              {".glb", FileFormat::glb},
+                                                                              {".ply", FileFormat::ply}}};
     for (const auto& [text, format] : endings)
         if (ending == text) return format;
     return FileFormat::unknown;

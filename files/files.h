@@ -38,7 +38,7 @@ void write_output(const std::string& name, std::string_view bytes);
 /// Throws OutputError if it is plain beforehand that `name` cannot be written: its folder is missing or it is a folder.
 void expect_writable(const std::string& name);
 
-enum class FileFormat : unsigned char { unknown, svg, png, pdf, lsys, json, csv, obj, glb };
+enum class FileFormat : unsigned char { unknown, svg, png, pdf, lsys, json, csv, obj, glb, ply };
 
 /// By the ending of the name, in any case of letters; `standard_output` for "" and "-".
 FileFormat format_of(const std::string& name, FileFormat standard_output);

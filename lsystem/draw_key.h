@@ -3,7 +3,7 @@
 // module's key the place of a symbol among the symbols of the string that took the module's place. A draw has the key of the
 // module whose production draws it, and a salt that says where in that production it stands (compile.cpp). So a draw depends
 // on nothing but the way to it: not on what was drawn before, on counts, conditions, parameters or the depth.
-// Internal to the folder.
+// Internal to lsystem and growth.
 
 #include <cstdint>
 

@@ -43,12 +43,24 @@ constexpr std::array binary_operators{
 /// Recursive descent by precedence; writes the nodes in postfix order as it goes.
 class Parser {
   public:
-    Parser(std::string_view text, const SourcePlace& place) : text_(text), place_(place) {}
+    Parser(std::string_view text, const SourcePlace& place, const ExpressionForm& form)
+        : text_(text), place_(place), form_(form) {}
 
     Expression parse() {
-        binary(1);
+        std::size_t length = 0;
+        Expression expression = parse_before(length);
         skip_blanks();
         if (at_ < text_.size()) fail("expected an operator, found " + found());
+        return expression;
+    }
+
+    Expression parse_before(std::size_t& length) {
+        if (form_.operand) {
+            unary();
+        } else {
+            binary(1);
+        }
+        length = at_;
         return std::move(expression_);
     }
 
@@ -57,6 +69,7 @@ class Parser {
 
     std::string_view text_;
     const SourcePlace& place_;
+    ExpressionForm form_;
     std::size_t at_ = 0;
     int nesting_ = 0;
     Expression expression_;
@@ -175,14 +188,43 @@ class Parser {
         const std::size_t start = at_;
         while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
         std::string name(text_.substr(start, at_ - start));
+        if (form_.queries && at_ < text_.size() && text_[at_] == '.') return dotted_name(std::move(name));
         if (!take("(")) {
             expression_.postfix.push_back({Op::name, 0, std::move(name), 0});
             return;
         }
+        skip_blanks();
+        if (form_.queries && at_ < text_.size() && text_[at_] == '"') return name_with_text(std::move(name));
+        call(std::move(name), start);
+    }
+
+    /// F1.vector1.x
+    void dotted_name(std::string name) {
+        while (at_ < text_.size() && text_[at_] == '.') {
+            name += text_[at_++];
+            if (at_ >= text_.size() || !starts_name(text_[at_])) fail("expected a name behind the '.', found " + found());
+            while (at_ < text_.size() && continues_name(text_[at_])) name += text_[at_++];
+        }
+        expression_.postfix.push_back({Op::name, 0, std::move(name), 0});
+    }
+
+    /// count("leaf")
+    void name_with_text(std::string name) {
+        const std::size_t end = text_.find_first_of("\"\n", at_ + 1);
+        if (end == std::string_view::npos || text_[end] != '"') fail("expected a closing quotation mark for this one");
+        name += '(';
+        name += text_.substr(at_, end + 1 - at_);
+        name += ')';
+        at_ = end + 1;
+        if (!take(")")) fail("expected ')', found " + found());
+        expression_.postfix.push_back({Op::name, 0, std::move(name), 0});
+    }
+
+    void call(std::string name, std::size_t start) {
         const ExpressionFunction* function = find_expression_function(name);
-        if (function == nullptr) {
+        if (function == nullptr || (function->only_with_queries && !form_.queries)) {
             fail_at(start, "expected a function such as sin, sqrt or min, found '" + name + "'" +
-                               did_you_mean(name, expression_function_names()));
+                               did_you_mean(name, expression_function_names(form_.queries)));
         }
         int count = 0;
         if (!take(")")) {
@@ -192,12 +234,19 @@ class Parser {
             } while (take(","));
             if (!take(")")) fail("expected ',' or ')', found " + found());
         }
-        if (count < function->at_least || count > function->at_most) {
-            fail_at(start, "expected " + std::to_string(function->at_least) +
-                               (function->at_most > function->at_least ? " or more" : "") + " argument(s) for " + name +
-                               ", found " + std::to_string(count));
+        if (!takes(*function, count)) {
+            fail_at(start, "expected " + arguments_text(*function) + " argument(s) for " + name + ", found " +
+                               std::to_string(count));
         }
         expression_.postfix.push_back({Op::call, 0, std::move(name), count});
+    }
+
+    static std::string arguments_text(const ExpressionFunction& function) {
+        if (function.at_least == 0) return "no or " + std::to_string(function.at_most);
+        const std::string least = std::to_string(function.at_least);
+        if (function.at_most == function.at_least) return least;
+        return function.at_most == max_function_arguments ? least + " or more"
+                                                          : least + " to " + std::to_string(function.at_most);
     }
 };
 
@@ -253,7 +302,14 @@ TextPart call_text(const Expression::Node& node, std::vector<TextPart>& parts) {
 
 }  // namespace
 
-Expression parse_expression(std::string_view text, const SourcePlace& place) { return Parser(text, place).parse(); }
+Expression parse_expression(std::string_view text, const SourcePlace& place, const ExpressionForm& form) {
+    return Parser(text, place, form).parse();
+}
+
+Expression parse_expression_before(std::string_view text, const SourcePlace& place, const ExpressionForm& form,
+                                   std::size_t& length) {
+    return Parser(text, place, form).parse_before(length);
+}
 
 std::string to_text(const Expression& expression) {
     std::vector<TextPart> parts;

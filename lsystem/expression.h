@@ -1,5 +1,5 @@
 #pragma once
-// Arithmetic over a production's parameters and the grammar's constants. One expression language for .lsys and (later) .fgsg.
+// Arithmetic over a production's parameters and the grammar's constants. One expression language for .lsys and .fgsg.
 
 #include <string>
 #include <string_view>
@@ -32,8 +32,20 @@ struct Expression {
 Expression number_expression(double value);
 Expression name_expression(std::string name);
 
+/// What may stand in an expression.
+struct ExpressionForm {
+    /// Shape grammars: names with dots (F1.vector1.x) and names with a text (count("leaf")), which are Op::name nodes spelt
+    /// without blanks, and the functions rand(), rand(a, b) and noise(x), noise(x, y), noise(x, y, z).
+    bool queries = false;
+    bool operand = false;  ///< only one operand with its sign: 12, -u, (a+b), f(x); no operators outside parentheses
+};
+
 /// Throws InputError at `place` (column advanced to the fault) with what was expected.
-Expression parse_expression(std::string_view text, const SourcePlace& place = {});
+Expression parse_expression(std::string_view text, const SourcePlace& place = {}, const ExpressionForm& form = {});
+
+/// Reads as much of the text's beginning as makes an expression; `length` is how much that is. Throws in the same way.
+Expression parse_expression_before(std::string_view text, const SourcePlace& place, const ExpressionForm& form,
+                                   std::size_t& length);
 
 /// Shortest text that parses to the same expression; numbers in shortest round-trip form.
 std::string to_text(const Expression& expression);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/angle.h"
+#include "lsystem/lattice_noise.h"
 
 namespace rinceau {
 
@@ -67,6 +68,8 @@ constexpr std::array functions{
     ExpressionFunction{"clamp", 3, 3, [](Numbers n) { return clamped(n[0], n[1], n[2]); }},
     ExpressionFunction{"uniform", 2, 2, nullptr},
     ExpressionFunction{"normal", 2, 2, nullptr},
+    ExpressionFunction{"rand", 0, 2, nullptr, true},
+    ExpressionFunction{"noise", 1, 3, [](Numbers n) { return lattice_noise(n); }, true},
 };
 
 }  // namespace
@@ -76,9 +79,10 @@ const ExpressionFunction* find_expression_function(std::string_view name) {
     return found == functions.end() ? nullptr : found;
 }
 
-std::vector<std::string_view> expression_function_names() {
+std::vector<std::string_view> expression_function_names(bool with_queries) {
     std::vector<std::string_view> names;
-    for (const ExpressionFunction& function : functions) names.push_back(function.name);
+    for (const ExpressionFunction& function : functions)
+        if (with_queries || !function.only_with_queries) names.push_back(function.name);
     return names;
 }
 

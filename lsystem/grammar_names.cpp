@@ -155,8 +155,9 @@ bool draws_random_numbers(const Grammar& grammar) {
 }
 
 bool may_name_symbol(const std::string& name) {
+    const ExpressionFunction* function = find_expression_function(name);
     return is_name(name) && !is_command(name) && std::ranges::count(statement_words(), std::string_view(name)) == 0 &&
-           !named_constant(name).has_value() && find_expression_function(name) == nullptr;
+           !named_constant(name).has_value() && (function == nullptr || function->only_with_queries);
 }
 
 std::string free_name(const std::string& wanted, const std::function<bool(const std::string&)>& taken) {

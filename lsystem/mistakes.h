@@ -1,5 +1,5 @@
 #pragma once
-// Mistakes that are collected while reading goes on. Internal to the folder.
+// Mistakes that are collected while reading goes on. Internal to lsystem and growth.
 
 #include <string>
 #include <vector>

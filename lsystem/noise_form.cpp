@@ -64,14 +64,14 @@ std::optional<double> spread_in(const Nodes& nodes, std::size_t start, const For
 constexpr std::array both_distributions{NoiseDistribution::normal, NoiseDistribution::uniform};
 
 /// What follows the expression in postfix form.
-struct ExpressionForm {
+struct NoiseExpressionForm {
     NoiseKind kind;
     Form form;
 };
 
-const std::vector<ExpressionForm>& expression_forms() {
-    static const std::vector<ExpressionForm> forms = [] {
-        std::vector<ExpressionForm> all;
+const std::vector<NoiseExpressionForm>& expression_forms() {
+    static const std::vector<NoiseExpressionForm> forms = [] {
+        std::vector<NoiseExpressionForm> all;
         for (const NoiseDistribution distribution : both_distributions) {
             const Nodes sum{operation(Op::add)};
             const Nodes factor{operation(Op::add), operation(Op::multiply)};
@@ -130,7 +130,7 @@ std::optional<NoiseInExpression> find_noise(const Expression& expression) {
 
 Expression with_noise(const Expression& expression, NoiseKind kind, const Noise& noise) {
     Expression result = expression;
-    for (const ExpressionForm& known : expression_forms()) {
+    for (const NoiseExpressionForm& known : expression_forms()) {
         if (known.kind != kind || known.form.distribution != noise.distribution) continue;
         const Nodes nodes = with_spread(known.form, noise.spread);
         result.postfix.insert(result.postfix.end(), nodes.begin(), nodes.end());

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers and names as text. Internal to the folder.
+// Numbers and names as text. Internal to lsystem and growth.
 
 #include <string>
 #include <string_view>

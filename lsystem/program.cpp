@@ -87,7 +87,7 @@ Instruction compile_node(const Expression::Node& node, const Scope& scope, const
             return {Instruction::Op::unary, node.op};
         case Op::call: {
             const ExpressionFunction* function = find_expression_function(node.name);
-            if (function == nullptr || node.arguments < function->at_least || node.arguments > function->at_most) {
+            if (function == nullptr || !takes(*function, node.arguments)) {
                 throw InputError(place, "expected a known function with its number of arguments, found '" + node.name + "'");
             }
             const bool random = function->evaluate == nullptr;
@@ -191,6 +191,12 @@ Program compile_expression(const Expression& expression, const Scope& scope, con
     Program program;
     int height = 0;
     for (const Expression::Node& node : expression.postfix) {
+        const bool draws_from_unit_interval = node.op == Op::call && node.name == "rand" && node.arguments == 0;
+        if (draws_from_unit_interval) {
+            for (const double limit : {0.0, 1.0}) program.code.push_back({Instruction::Op::number, Op::number, 0, limit});
+            height += 2;
+            program.stack_size = std::max(program.stack_size, height);
+        }
         Instruction instruction = compile_node(node, scope, place);
         height += 1 - operand_count(instruction);
         if (height < 1) break;

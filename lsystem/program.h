@@ -1,5 +1,5 @@
 #pragma once
-// Expressions made ready for many evaluations: names are slots, what is constant is folded. Internal to the folder.
+// Expressions made ready for many evaluations: names are slots, what is constant is folded. Internal to lsystem and growth.
 
 #include <span>
 #include <string>

@@ -195,6 +195,14 @@ Expression Scanner::expression_or_one(std::string_view text, std::size_t start) 
     }
 }
 
+Expression Scanner::expression_here(const ExpressionForm& form) {
+    skip_blanks();
+    std::size_t length = 0;
+    Expression expression = parse_expression_before(text_.substr(at_), place_at(at_), form, length);
+    at_ += length;
+    return expression;
+}
+
 Expression Scanner::expression_until(std::string_view stops) {
     skip_blanks();
     const std::size_t start = at_;

@@ -1,5 +1,5 @@
 #pragma once
-// Reads a statement of a grammar's text piece by piece. Internal to the folder.
+// Reads a statement of a grammar's text piece by piece. Internal to lsystem and growth.
 
 #include <cstdint>
 #include <string>
@@ -38,6 +38,8 @@ class Scanner {
     std::string quoted();
     /// "..." as it stands; `start` becomes the place in the statement of its first character.
     std::string_view raw_quoted(std::size_t& start);
+    /// As much as makes an expression.
+    Expression expression_here(const ExpressionForm& form);
     /// The number 1 takes the place of an expression with a mistake, which is kept.
     Expression expression_until(std::string_view stops);
     /// An expression up to "->", in the same way.
@@ -66,6 +68,8 @@ class Scanner {
     bool skip_to(std::string_view token);
 
     std::size_t position();
+    /// Back to an offset that position() gave.
+    void go_to(std::size_t position) { at_ = position; }
     SourcePlace place();
     /// Of an offset in the statement's text; for rising offsets the whole text is read through once.
     SourcePlace place_at(std::size_t position);

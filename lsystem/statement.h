@@ -1,5 +1,5 @@
 #pragma once
-// The lines of a grammar's text as statements with their comments. Internal to the folder.
+// The lines of a grammar's text as statements with their comments. Internal to lsystem and growth.
 
 #include <string>
 #include <string_view>

@@ -1,31 +1,14 @@
 #pragma once
 // A shape grammar's derivation on a surface (Li et al. 2010, sections 3.2, 4.3 and 4.4).
 
-#include <cstdint>
+#include <memory>
 
 #include "geometry/progress.h"
-#include "growth/surface/shape_grammar.h"
+#include "growth/surface/shape_derivation_options.h"
 #include "growth/surface/surface_pattern.h"
 #include "growth/surface/surface_world.h"
-#include "growth/surface/trace.h"
 
 namespace rinceau {
-
-enum class CullScope : unsigned char { bracket, rule, none };
-
-struct ShapeDerivationOptions {
-    std::uint64_t seed = 1;
-    long max_shapes = 1'000'000;  ///< placed and waiting, together; more ends the derivation
-    long max_rules = 20'000'000;  ///< applied; more ends it
-    double max_seconds = 0;       ///< 0 = none
-    int steps = -1;               ///< rules to apply, for deriving step by step; -1 = all
-    bool breadth_first = true;
-    CullScope cull = CullScope::bracket;
-    bool collide_all = false;  ///< every I is an IC (section 4.4.1's global flag)
-    double touch = 0.02;
-    int kin = 6;  ///< ancestors that a shape may touch
-    TraceOptions trace;
-};
 
 /// Grows all axioms. Options of the grammar (option name = value) have been taken over before, see options_of(). Throws
 /// InputError, with rule and line, for sizes that are not positive, numbers that are not finite, unknown symbols, shapes and
@@ -33,7 +16,27 @@ struct ShapeDerivationOptions {
 SurfacePattern derive_shapes(const ShapeGrammar& grammar, const SurfaceWorld& world,
                              const ShapeDerivationOptions& options = {}, const Progress& progress = {});
 
-/// The defaults with what the grammar's options say.
-ShapeDerivationOptions options_of(const ShapeGrammar& grammar, ShapeDerivationOptions defaults = {});
+/// The same in steps, for a window that shows how it grows. Keeps copies of what it is made from. The pattern does not
+/// depend on how many rules a step takes.
+class ShapeDerivation {
+  public:
+    ShapeDerivation(const ShapeGrammar& grammar, const SurfaceWorld& world, const ShapeDerivationOptions& options = {});
+    ~ShapeDerivation();
+    ShapeDerivation(ShapeDerivation&&) noexcept;
+    ShapeDerivation& operator=(ShapeDerivation&&) noexcept;
+
+    /// Applies up to `rules` rules; throws as derive_shapes() does.
+    void step(long rules, const Progress& progress = {});
+    /// Nothing is left to do, or a bound was reached.
+    bool done() const;
+    long rules_applied() const;
+    int shapes() const;
+    /// What has grown until now; if it is not done, complete is false.
+    SurfacePattern pattern() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 }  // namespace rinceau

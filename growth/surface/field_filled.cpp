@@ -36,8 +36,10 @@ void check(const SurfaceMesh& surface, const SurfaceField& field) {
     if (field.n != 1 && field.n != 2 && field.n != 4)
         fail(field, "the field has n = " + std::to_string(field.n) +
                         "; expected 1 (vectors), 2 (tensors and line fields) or 4 (crosses)");
-    if (!field.exact || !field.values.empty()) check_count(surface, field, field.values.size(), "values");
+    if (!of_plane(field) || !field.values.empty()) check_count(surface, field, field.values.size(), "values");
     if (!field.isotropic.empty()) check_count(surface, field, field.isotropic.size(), "isotropic values");
+    if (field.along_picture && (!field.picture || field.n != 2))
+        fail(field, "a field along a picture's edges needs the picture, and n = 2");
     if (!field.scalar.empty()) check_count(surface, field, field.scalar.size(), "scalar values");
     for (std::size_t v = 0; v < field.values.size(); ++v) {
         check_finite(field, field.values[v].x, v);
@@ -47,25 +49,15 @@ void check(const SurfaceMesh& surface, const SurfaceField& field) {
     for (std::size_t v = 0; v < field.scalar.size(); ++v) check_finite(field, field.scalar[v], v);
 }
 
-void check_plane(const SurfaceMesh& surface, const SurfaceField& field) {
-    constexpr double slack = 1e-9;
-    const double z = surface.mesh.positions.front().z;
-    for (const SpacePoint p : surface.mesh.positions)
-        if (std::abs(p.z - z) > slack * surface.diagonal)
-            fail(field, "this kind of field is of the plane, and the surface is not flat; expected a surface with z = 0");
-    for (const auto& frame : surface.frame)
-        if (frame[2].z < 0) fail(field, "this kind of field is of the plane, and the surface's faces look down -z");
-}
-
 /// In the frames of the vertices, whose x axis is the way of outgoing[v].
-std::vector<Complex> sampled(const SurfaceMesh& surface, const PlaneForm& form, int n) {
+std::vector<Complex> sampled(const SurfaceMesh& surface, const SurfaceField& field) {
     std::vector<Complex> values;
     for (int v = 0; v < surface.vertices(); ++v) {
         const SpacePoint p = surface.mesh.positions[at(v)];
         const int h = surface.outgoing[at(v)];
         const SpacePoint along = surface.mesh.positions[at(end_of(surface, h))] - p;
         const double axis = std::atan2(along.y, along.x) - surface.angle[at(h)];
-        values.push_back(value_of(form, n, {p.x, p.y}) * polar(1, -n * axis));
+        values.push_back(plane_value(field, {p.x, p.y}) * polar(1, -field.n * axis));
     }
     return values;
 }
@@ -190,19 +182,31 @@ void start_empty_pieces(const SurfaceMesh& surface, std::vector<Complex>& values
 
 }  // namespace
 
-Complex value_of(const PlaneForm& form, int n, Point place) {
-    if (!form.about_centre) return polar(1, n * form.angle);
+Complex plane_value(const SurfaceField& field, Point place) {
+    if (field.along_picture) return edges_along(*field.picture, place);
+    const PlaneForm& form = *field.exact;
+    if (!form.about_centre) return polar(1, field.n * form.angle);
     const Point ray = place - form.centre;
     const double length = abs(ray);
     if (!(length > 0)) return {};
-    return power(ray / length, n) * polar(1, n * form.angle);
+    return power(ray / length, field.n) * polar(1, field.n * form.angle);
+}
+
+bool is_plane(const SurfaceMesh& surface) {
+    constexpr double slack = 1e-9;  // diagonals
+    const double z = surface.mesh.positions.front().z;
+    const auto level = [&](SpacePoint p) { return std::abs(p.z - z) <= slack * surface.diagonal; };
+    return std::ranges::all_of(surface.mesh.positions, level) &&
+           std::ranges::all_of(surface.frame, [](const auto& frame) { return frame[2].z > 0; });
 }
 
 SurfaceField filled_field(const SurfaceMesh& surface, SurfaceField field) {
     check(surface, field);
-    if (field.exact) {
-        check_plane(surface, field);
-        field.values = sampled(surface, *field.exact, field.n);
+    if (of_plane(field)) {
+        if (!is_plane(surface))
+            fail(field,
+                 "this kind of field is of the plane, and the surface is not flat in z = 0 and facing +z; use elements");
+        field.values = sampled(surface, field);
     }
     double strongest = 0;
     for (const Complex z : field.values) strongest = std::max(strongest, strength(z));

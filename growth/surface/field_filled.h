@@ -12,8 +12,14 @@ constexpr Complex power(Complex z, int n) {
     return product;
 }
 
-/// The closed form's value at a place of the plane, against the x axis; 0 at its centre.
-Complex value_of(const PlaneForm& form, int n, Point place);
+/// The field has its directions from a form of the plane, not from values at vertices.
+inline bool of_plane(const SurfaceField& field) { return field.exact || field.along_picture; }
+
+/// The value of a form of the plane at a place, against the x axis; 0 at its centre.
+Complex plane_value(const SurfaceField& field, Point place);
+
+/// Is the surface a piece of the plane z = const, facing +z?
+bool is_plane(const SurfaceMesh& surface);
 
 /// Throws InputError as FieldOnSurface says; no value of the result is 0.
 SurfaceField filled_field(const SurfaceMesh& surface, SurfaceField field);

@@ -4,6 +4,7 @@
 #include "growth/surface/lay_script.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -226,7 +227,8 @@ class ScriptLayer {
         constexpr double sizes[] = {1, 0.9, 0.8, 0.7, 0.6};
         bool outside = false;
         for (const double size : sizes)
-            for (const ElementChart* chart : {&relaxed, size < 1 ? &*group_chart_ : nullptr}) {
+            for (const ElementChart* chart :
+                 std::array<const ElementChart*, 2>{&relaxed, size < 1 ? &*group_chart_ : nullptr}) {
                 if (chart == nullptr) continue;
                 ElementLayer::Result result = layer_.lay(*chart, elements_, chosen, options_.stretch, {size, about});
                 outside |= result.fault == LayFault::outside;

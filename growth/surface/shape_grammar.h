@@ -13,9 +13,9 @@
 namespace rinceau {
 
 enum class ShapeVerb : unsigned char {
-    move,          ///< T(x, y, z): along the field at a constant angle, z along the normal
+    move,          ///< T(x, y, z): along the field at a constant angle, z along the normal; y and z may be left out
     go_straight,   ///< G(x, y, z): the same along a straight geodesic
-    size,          ///< S(x, y, z)
+    size,          ///< S(x, y, z), or S(all)
     turn_x,        ///< Rx(degrees)
     turn_y,        ///< Ry(degrees)
     turn_z,        ///< Rz(degrees)
@@ -28,7 +28,7 @@ enum class ShapeVerb : unsigned char {
     chart,         ///< Chart{...}: moves inside go through one chart about the scope
     line,          ///< Line(merge)
     line_segment,  ///< LineSeg(length, width)
-    colour,        ///< Colour(n) or Colour("#rrggbb")
+    colour,        ///< Colour(n), Colour(r, g, b) or Colour("#rrggbb")
     attribute,     ///< Set("name", value)
     symbol         ///< any other name: a non-terminal
 };
@@ -37,6 +37,7 @@ struct ShapeCommand {
     ShapeVerb verb = ShapeVerb::symbol;
     std::string name;                               ///< of a symbol
     std::string text;                               ///< the string argument: shape, attribute or colour
+    bool has_text = false;                          ///< the string argument is there
     std::vector<Expression> arguments;              ///< the numbers
     std::vector<std::vector<ShapeCommand>> groups;  ///< Lock: one for each part; Chart: one
     SourcePlace place;
@@ -49,15 +50,16 @@ struct ShapeRule {
     std::vector<std::string> parameters;
     std::optional<Expression> condition;
     std::vector<ShapeCommand> successor;
-    std::optional<Expression> probability;
+    std::optional<Expression> probability;  ///< a weight among those of its symbol whose condition holds
     double priority = 0;
+    std::string comment;
     SourcePlace place;
 };
 
 struct ShapeParam {
     std::string name;
     Expression value;
-    std::string comment;
+    std::string comment;  ///< the lines before it and what stands behind it, without #; so everywhere
     SourcePlace place;
 };
 
@@ -67,7 +69,8 @@ struct ShapeSource {
     std::string kind;  ///< outline, mesh, box, torus ... ; elements, file, curvature, image, constant, radial ...
     std::string text;  ///< the string behind the kind
     std::map<std::string, Expression> numbers;
-    std::map<std::string, std::string> words;  ///< collide = hull
+    std::map<std::string, std::string> words;  ///< collide = hull, colour = "#aa3311"
+    std::string comment;
     SourcePlace place;
 };
 
@@ -78,6 +81,7 @@ struct ShapeAxiom {
     std::vector<Expression> numbers;  ///< the vertex; x, y, z; how many
     std::string field;                ///< each: the field at whose singular points it begins
     std::vector<ShapeCommand> commands;
+    std::string comment;
     SourcePlace place;
 };
 
@@ -86,9 +90,10 @@ struct ShapeGrammar {
     std::vector<ShapeParam> params;
     std::vector<ShapeSource> shapes;
     std::vector<ShapeSource> fields;
-    std::map<std::string, ShapeSource> options;  ///< by name: text, words or numbers["value"]
+    std::map<std::string, ShapeSource> options;  ///< by name: text (a string or a word) or numbers["value"]
     std::vector<ShapeAxiom> axioms;
     std::vector<ShapeRule> rules;
+    std::vector<std::string> comments;  ///< lines that belong to no statement
 };
 
 }  // namespace rinceau

@@ -24,6 +24,11 @@ constexpr double most_blended = pi / 4;  ///< turn of a corner's value; a blend 
 
 std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
 
+Point place_of(const SurfaceMesh& surface, SurfacePoint p) {
+    const SpacePoint place = position_in_space(surface, p);
+    return {place.x, place.y};
+}
+
 Complex unit_edge(const SurfaceMesh& surface, int h) {
     const Complex along = edge_vector(surface, h);
     return along / abs(along);
@@ -141,9 +146,9 @@ FieldOnSurface::FieldOnSurface(const SurfaceMesh& surface, SurfaceField field)
 
 Complex FieldOnSurface::at(SurfacePoint p) const {
     const auto face = static_cast<std::size_t>(p.face);
-    if (field_.exact) {
-        const SpacePoint place = position_in_space(*surface_, p), x = surface_->frame[face][0];
-        return value_of(*field_.exact, field_.n, {place.x, place.y}) * conj(power({x.x, x.y}, field_.n));
+    if (of_plane(field_)) {
+        const SpacePoint x = surface_->frame[face][0];
+        return plane_value(field_, place_of(*surface_, p)) * conj(power({x.x, x.y}, field_.n));
     }
     const auto& corners = corners_[face];
     const auto weights = barycentric(*surface_, p);
@@ -176,12 +181,23 @@ double FieldOnSurface::isotropic_at(SurfacePoint p) const {
 }
 
 double FieldOnSurface::scalar_at(SurfacePoint p) const {
-    if (field_.scalar.empty()) return abs(at(p));
+    if (field_.scalar.empty()) return field_.picture ? brightness_at(*field_.picture, place_of(*surface_, p)) : abs(at(p));
     const auto weights = barycentric(*surface_, p);
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i)
         sum += weights[i] * field_.scalar[index_of(surface_->mesh.triangles[index_of(p.face)][i])];
     return sum;
+}
+
+std::optional<std::array<double, 3>> FieldOnSurface::colour_at(SurfacePoint p) const {
+    if (!field_.picture) return std::nullopt;
+    return rinceau::colour_at(*field_.picture, place_of(*surface_, p));
+}
+
+double FieldOnSurface::plane_step() const {
+    constexpr double step_of_form = 1e-5;  // diagonals
+    if (field_.exact) return step_of_form * surface_->diagonal;
+    return field_.along_picture ? pixel_side(*field_.picture) : 0;
 }
 
 Complex FieldOnSurface::zero(int face) const {

@@ -1,10 +1,12 @@
 #pragma once
 // Vector, tensor and cross fields on a surface (Li et al. 2010, section 4.2).
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "growth/surface/plane_picture.h"
 #include "growth/surface/surface_point.h"
 
 namespace rinceau {
@@ -19,21 +21,25 @@ struct PlaneForm {
 /// Directions that are the same after 1 / n of a turn: n = 1 vectors, 2 symmetric tensors (line fields), 4 crosses.
 struct SurfaceField {
     int n = 2;
-    /// By vertex, in the vertex's frame: strength * exp(i n angle). A symmetric tensor is isotropic/2 times the identity
-    /// plus its traceless part with eigenvalues +- abs(z); angle is that of the major eigenvector.
+    /// By vertex, in the vertex's frame: strength * exp(i n angle). A symmetric tensor is isotropic times the identity plus
+    /// its traceless part with eigenvalues +- abs(z); angle is that of the major eigenvector.
     std::vector<Complex> values;
     std::vector<double> isotropic;  ///< by vertex: half the trace of the tensor; empty = 0
     /// By vertex: a number of its own beside the directions (a picture's brightness, for sizes and colours); empty = none.
     std::vector<double> scalar;
     std::optional<PlaneForm> exact;  ///< then `values` may be empty: they follow from it
-    std::string label = "field";     ///< what messages call it: its file
+    /// In x and y, for any surface: colours and brightness.
+    std::shared_ptr<const PlanePicture> picture;
+    /// n is 2 and the directions are along the picture's edges, to the pixel; then `values` may be empty.
+    bool along_picture = false;
+    std::string label = "field";  ///< what messages call it: its file
 };
 
 /// A field made ready for many questions. Refers to the surface, which must outlive it.
 class FieldOnSurface {
   public:
     /// Throws InputError if n is not 1, 2 or 4, the field has not one value for each vertex, a value is not finite (or
-    /// beyond 1e100), or a plane's form is asked for on a surface that is not flat in z = const. Vertices without a
+    /// beyond 1e100), or a form of the plane is asked for on a surface that is not flat in z = const. Vertices without a
     /// direction (a value of 0, which would break the sum of the indices and catch walks) are filled: the direction from
     /// their neighbours, with a millionth of the neighbours' strength.
     FieldOnSurface(const SurfaceMesh& surface, SurfaceField field);
@@ -43,12 +49,17 @@ class FieldOnSurface {
     const SurfaceField& field() const { return field_; }
     const SurfaceMesh& surface() const { return *surface_; }
 
-    /// strength * exp(i n angle) in the frame of the point's face; continuous over edges.
+    /// strength * exp(i n angle) in the frame of the point's face; continuous over edges. 0 at singular points only, and
+    /// all over a picture of one colour.
     Complex at(SurfacePoint p) const;
     /// Half the trace of the tensor.
     double isotropic_at(SurfacePoint p) const;
-    /// The field's number: of `scalar` if it has them, else its strength.
+    /// The field's number: of `scalar` if it has them, else its picture's brightness in [0, 1], else its strength.
     double scalar_at(SurfacePoint p) const;
+    /// Red, green, blue of its picture in [0, 255]; none without a picture.
+    std::optional<std::array<double, 3>> colour_at(SurfacePoint p) const;
+    /// The length over which a closed form of the plane is differentiated; 0 for fields that values at vertices give.
+    double plane_step() const;
     /// n times the index of the face: turns of the field about it minus those of a constant one, in n-th parts.
     int index(int face) const { return index_[static_cast<std::size_t>(face)]; }
     /// Where the field is zero, in the face's frame; of faces with an index.

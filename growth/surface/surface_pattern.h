@@ -22,6 +22,8 @@ struct PatternShape {
     int rule = -1;        ///< that placed it, index into the grammar's rules; -1 = an axiom
     int depth = 0;        ///< of the derivation
     bool tested = false;  ///< placed by IC or in a Lock: free of overlap with all that was placed before it
+    int parent = -1;      ///< the placed shape before it on its path, which it may touch; -1 = none
+    int set = -1;         ///< number of the Lock that it came with, whose parts may overlap each other; -1 = none
     std::map<std::string, double> attributes;
 };
 

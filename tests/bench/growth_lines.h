@@ -31,6 +31,11 @@ class GrowthLines {
         ++failures_;
         csv_ ? std::cout << '"' << name_ << "\",\"" << what << "\",,,,FAIL\n" : std::cout << "  FAIL: " << what << '\n';
     }
+    /// A judgement that is printed elsewhere.
+    void count(bool good) {
+        ++judgements_;
+        failures_ += good ? 0 : 1;
+    }
     int failures() const { return failures_; }
     int judgements() const { return judgements_; }
 

@@ -14,6 +14,8 @@
 #include "geometry/angle.h"
 #include "geometry/random.h"
 #include "growth/surface/convex_overlap.h"
+#include "growth/surface/shape_sources.h"
+#include "growth/surface/solids_overlap.h"
 
 namespace rinceau {
 namespace {
@@ -347,6 +349,45 @@ TEST_CASE("near-zero boxes do not make the others slow") {
     CHECK(seconds(true, 1e-12) < 20 * ordinary + 0.5);
     CHECK(seconds(false, 0) < 20 * ordinary + 0.5);
     CHECK(seconds(true, 1e-300) < 20 * ordinary + 0.5);
+}
+
+TEST_CASE("what the space lets stand does not overlap as it is drawn, by another method") {
+    Random random(13);
+    const auto made = [](const std::string& kind, CollideAs collide) {
+        GrammarShape shape = make_shape({.name = kind, .kind = kind}, {}, {});
+        shape.collide = collide;
+        return shape;
+    };
+    const std::vector<GrammarShape> shapes{made("box", CollideAs::box),      made("cylinder", CollideAs::box),
+                                           made("torus", CollideAs::disc),   made("sphere", CollideAs::disc),
+                                           made("star", CollideAs::outline), made("leaf", CollideAs::hull),
+                                           made("prism", CollideAs::hull),   made("arrow", CollideAs::outline)};
+    CollisionSpace space;
+    std::vector<PlacedSolid> standing;
+    int refused = 0, refused_and_apart = 0;
+    for (int i = 0; i < 1200; ++i) {
+        const GrammarShape& shape = shapes[random.below(static_cast<std::uint32_t>(shapes.size()))];
+        // About a sphere, upright.
+        const SpacePoint normal = unit({random.normal(), random.normal(), random.normal()});
+        const SpacePoint x = unit(cross(normal, SpacePoint{random.normal(), random.normal(), random.normal()}));
+        const double size = random.uniform(0.1, 0.3);
+        const PlacedSolid solid{
+            &shape, normal, {x, cross(normal, x), normal}, {size, random.uniform(0.5, 1) * size, 0.5 * size}};
+        const bool overlap = space.overlap(collision_body(shape, normal, solid.axes, solid.size, normal)).has_value();
+        const bool drawn = std::any_of(standing.begin(), standing.end(), [&](const PlacedSolid& other) {
+            return solids_overlap(solid, other, 1 - 0.02 - 1e-3);
+        });
+        if (!overlap) CHECK_FALSE(drawn);
+        refused += overlap;
+        refused_and_apart += overlap && !drawn;
+        if (overlap) continue;
+        space.add(collision_body(shape, normal, solid.axes, solid.size, normal));
+        standing.push_back(solid);
+    }
+    CHECK(standing.size() > 80);
+    CHECK(refused > 500);
+    // Bodies are somewhat larger than what they stand for, not much.
+    CHECK(refused_and_apart < refused / 10);
 }
 
 }  // namespace rinceau

@@ -1,0 +1,107 @@
+#include "growth/surface/check_shape_grammar.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "growth/surface/field_source.h"
+#include "growth/surface/parse_shape_grammar.h"
+#include "growth/surface/shape_derivation_options.h"
+#include "growth/surface/shape_grammar_hints.h"
+#include "growth/surface/surface_world.h"
+#include "lsystem/mistakes.h"
+#include "lsystem/similar_name.h"
+
+namespace rinceau {
+
+namespace {
+
+/// All options, those of options_of() and of plane_piece().
+constexpr std::array<std::string_view, 14> known_options{"cull",   "order",        "collide",    "follow",    "touch",
+                                                         "kin",    "step",         "turn",       "jump",      "follow_share",
+                                                         "plane",  "max_shapes",   "max_rules",  "max_seconds"};
+
+class ShapeGrammarChecker {
+  public:
+    ShapeGrammarChecker(std::string_view text, const std::string& file_name, const ReadNamedFile& read_file)
+        : parsed_(read_shape_grammar(text, file_name)), mistakes_(parsed_.mistakes), read_file_(read_file) {}
+
+    GrammarFindings check() {
+        // what stands in statements with mistakes is not known: names would seem to be missing
+        if (!mistakes_.empty()) return {std::move(mistakes_), {}};
+        const CompiledShapeGrammar compiled = compile_shape_grammar(grammar(), {}, mistakes_);
+        check_parts();
+        check_options();
+        for (const ShapeSource& shape : grammar().shapes) keeping([&] { check_shape(shape); });
+        for (const ShapeSource& field : grammar().fields) keeping([&] { check_field(field); });
+        std::ranges::stable_sort(mistakes_, {}, [](const Warning& mistake) {
+            return std::tuple(mistake.place.line, mistake.place.column);
+        });
+        GrammarFindings findings{std::move(mistakes_), {}};
+        if (findings.mistakes.empty()) findings.hints = shape_grammar_hints(grammar(), compiled);
+        return findings;
+    }
+
+  private:
+    ParsedShapeGrammar parsed_;
+    std::vector<Warning> mistakes_;
+    ReadNamedFile read_file_;
+
+    const ShapeGrammar& grammar() const { return parsed_.grammar; }
+
+    template <class Work>
+    void keeping(Work work) {
+        try {
+            work();
+        } catch (const InputError& error) {
+            add_mistake(mistakes_, error);
+        }
+    }
+
+    void check_parts() {
+        const SourcePlace top{grammar().file_name, 1, 1};
+        if (grammar().axioms.empty())
+            add_mistake(mistakes_, top, "expected an axiom, such as 'axiom vertex 0 A', found none: nothing would grow");
+    }
+
+    void check_options() {
+        for (const auto& [name, option] : grammar().options) {
+            if (std::ranges::find(known_options, name) != known_options.end()) continue;
+            add_mistake(mistakes_, option.place,
+                        "expected the name of an option, found '" + name + "'" +
+                            instead_of(name, {known_options.begin(), known_options.end()}));
+        }
+        keeping([&] { plane_piece(grammar()); });
+        keeping([&] {
+            const std::string follow = options_of(grammar()).follow;
+            const auto is_followed = [&](const ShapeSource& field) { return field.name == follow; };
+            if (follow.empty() || follow == "none" || std::ranges::any_of(grammar().fields, is_followed)) return;
+            throw InputError(grammar().options.at("follow").place,
+                             "expected a field of this grammar, or none, for the option 'follow', found '" + follow + "'");
+        });
+    }
+
+    void check_shape(const ShapeSource& shape) const {
+        if (!shape.text.empty() && !read_file_) return;
+        const auto number_of = [&](const Expression& value) { return value_of(value, grammar(), {}, shape.place); };
+        make_shape(shape, read_file_, number_of);
+    }
+
+    void check_field(const ShapeSource& field) const {
+        const std::vector<std::string>& kinds = field_source_kinds();
+        if (std::ranges::find(kinds, field.kind) == kinds.end())
+            throw InputError(field.place, "expected the kind of a field, found '" + field.kind + "'" +
+                                              instead_of(field.kind, kinds));
+        for (const auto& [key, value] : field.numbers) value_of(value, grammar(), {}, field.place);
+        if (!field.text.empty() && read_file_) read_file_(field.text);
+    }
+};
+
+}  // namespace
+
+GrammarFindings inspect_shape_grammar(std::string_view text, const std::string& file_name,
+                                      const ReadNamedFile& read_file) {
+    return ShapeGrammarChecker(text, file_name, read_file).check();
+}
+
+}  // namespace rinceau

@@ -1,0 +1,170 @@
+#include "growth/surface/shape_grammar_text.h"
+
+#include "growth/surface/shape_commands.h"
+#include "lsystem/number_text.h"
+#include "lsystem/statement.h"
+
+namespace rinceau {
+
+namespace {
+
+constexpr std::size_t line_width = 110;
+
+void append_comment(std::string& text, const std::string& comment) {
+    for (const std::string& line : comment_lines(comment)) text += line.empty() ? "#\n" : "# " + line + '\n';
+}
+
+/// The escapes that Scanner::quoted() reads.
+std::string in_quotes(const std::string& value) {
+    std::string text = "\"";
+    for (const char c : value) {
+        constexpr std::string_view special = "\"\\\n\r\t";
+        const std::size_t known = special.find(c);
+        if (known == std::string_view::npos) {
+            text += c;
+        } else {
+            text += '\\';
+            text += "\"\\nrt"[known];
+        }
+    }
+    return text + '"';
+}
+
+std::string group_text(const ShapeCommand& command, std::string_view word) {
+    std::string text(word);
+    text += '{';
+    for (std::size_t i = 0; i < command.groups.size(); ++i) {
+        if (i > 0) text += " | ";
+        text += commands_text(command.groups[i]);
+    }
+    return text + '}';
+}
+
+std::string command_text(const ShapeCommand& command) {
+    if (command.verb == ShapeVerb::push) return "[";
+    if (command.verb == ShapeVerb::pop) return "]";
+    std::string text =
+        command.verb == ShapeVerb::symbol ? command.name : std::string(shape_command(command.verb).word);
+    if (!command.groups.empty()) return group_text(command, text);
+    if (command.arguments.empty() && !command.has_text) return text;
+    text += '(';
+    if (command.has_text) text += in_quotes(command.text);
+    for (std::size_t i = 0; i < command.arguments.size(); ++i) {
+        if (i > 0 || command.has_text) text += ", ";
+        text += to_text(command.arguments[i]);
+    }
+    return text + ')';
+}
+
+std::string settings_text(const ShapeSource& source) {
+    std::string text;
+    for (const auto& [key, value] : source.numbers)
+        if (key != "value" || source.kind.empty() == false) text += ' ' + key + " = " + to_text(value);
+    for (const auto& [key, word] : source.words) text += ' ' + key + " = " + (is_name(word) ? word : in_quotes(word));
+    return text;
+}
+
+std::string source_text(std::string_view keyword, const ShapeSource& source) {
+    std::string text(keyword);
+    text += ' ' + source.name + " = " + source.kind;
+    if (!source.text.empty()) text += ' ' + in_quotes(source.text);
+    return text + settings_text(source) + '\n';
+}
+
+std::string option_text(const ShapeSource& option) {
+    std::string text = "option " + option.name + " = ";
+    const auto value = option.numbers.find("value");
+    if (value != option.numbers.end()) {
+        text += to_text(value->second);
+    } else {
+        text += is_name(option.text) ? option.text : in_quotes(option.text);
+    }
+    return text + settings_text(option) + '\n';
+}
+
+std::string where_text(const ShapeAxiom& axiom) {
+    switch (axiom.where) {
+        case ShapeAxiom::Where::vertex:
+            return "vertex";
+        case ShapeAxiom::Where::nearest:
+            return "nearest";
+        case ShapeAxiom::Where::scatter:
+            return "scatter";
+        case ShapeAxiom::Where::each:
+            break;
+    }
+    return "each " + axiom.field;
+}
+
+/// Numbers stand side by side there: what is more than one operand is in parentheses.
+std::string operand_text(const Expression& expression) {
+    const bool operand = expression.postfix.size() == 1;
+    return operand ? to_text(expression) : '(' + to_text(expression) + ')';
+}
+
+}  // namespace
+
+std::string commands_text(const std::vector<ShapeCommand>& commands) {
+    std::string text;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const bool close =
+            i == 0 || commands[i - 1].verb == ShapeVerb::push || commands[i].verb == ShapeVerb::pop;
+        if (!close) text += ' ';
+        text += command_text(commands[i]);
+    }
+    return text;
+}
+
+std::string statement_text(const ShapeRule& rule) {
+    std::string text = rule.id.empty() ? rule.symbol : rule.id + ": " + rule.symbol;
+    for (std::size_t i = 0; i < rule.parameters.size(); ++i) text += (i == 0 ? "(" : ", ") + rule.parameters[i];
+    if (!rule.parameters.empty()) text += ')';
+    if (rule.condition) {
+        const bool single_name = rule.condition->postfix.size() == 1;  // or it would read as a symbol behind an id
+        text += " : " + (single_name ? '(' + to_text(*rule.condition) + ')' : to_text(*rule.condition));
+    }
+    text += " ~";
+    if (!rule.successor.empty()) text += ' ' + commands_text(rule.successor);
+    if (rule.probability) text += " : " + to_text(*rule.probability);
+    if (rule.priority != 0) text += " @ " + number_text(rule.priority);
+    return text;
+}
+
+std::string statement_text(const ShapeAxiom& axiom) {
+    std::string text = "axiom " + where_text(axiom);
+    for (const Expression& number : axiom.numbers) text += ' ' + operand_text(number);
+    return text + ' ' + commands_text(axiom.commands);
+}
+
+std::string to_text(const ShapeGrammar& grammar) {
+    std::string text;
+    for (const std::string& line : grammar.comments) text += line.empty() ? "#\n" : "# " + line + '\n';
+    if (!grammar.comments.empty()) text += '\n';
+    for (const ShapeParam& param : grammar.params) {
+        append_comment(text, param.comment);
+        text += "param " + param.name + " = " + to_text(param.value) + '\n';
+    }
+    for (const ShapeSource& field : grammar.fields) {
+        append_comment(text, field.comment);
+        text += source_text("field", field);
+    }
+    for (const ShapeSource& shape : grammar.shapes) {
+        append_comment(text, shape.comment);
+        text += source_text("shape", shape);
+    }
+    for (const auto& [name, option] : grammar.options) {
+        append_comment(text, option.comment);
+        text += option_text(option);
+    }
+    for (const ShapeAxiom& axiom : grammar.axioms) {
+        append_comment(text, axiom.comment);
+        text += statement_text(axiom) + '\n';
+    }
+    for (const ShapeRule& rule : grammar.rules) {
+        append_comment(text, rule.comment);
+        text += statement_text(rule) + '\n';
+    }
+    return text;
+}
+
+}  // namespace rinceau

@@ -1,0 +1,134 @@
+// Moves along fields: how many a second, how exact (bars: docs/growth.md, "Patterns on surfaces").
+
+#include <cmath>
+
+#include "../surface/surface_shapes.h"
+#include "growth/surface/curvature_field.h"
+#include "growth/surface/field_elements.h"
+#include "growth/surface/field_smooth.h"
+#include "growth/surface/trace.h"
+#include "surface_bench.h"
+#include "surface_cases.h"
+
+namespace rinceau::test {
+namespace {
+
+constexpr int walks = 20000;
+constexpr double in_degrees = 180 / pi;
+
+struct Start {
+    SurfacePoint at;
+    Complex direction;
+};
+
+std::vector<Start> starts_on(const SurfaceMesh& surface, int count) {
+    Random random(11);
+    std::vector<Start> starts;
+    for (int i = 0; i < count; ++i) {
+        const SurfacePoint at = random_surface_point(surface, random);
+        const double angle = random.uniform(0, two_pi);
+        starts.push_back({at, {std::cos(angle), std::sin(angle)}});
+    }
+    return starts;
+}
+
+/// No singular face is within two rings of faces about this one.
+std::vector<bool> calm_faces(const FieldOnSurface& field) {
+    const SurfaceMesh& surface = field.surface();
+    std::vector<bool> near_vertex(static_cast<std::size_t>(surface.vertices()), false);
+    std::vector<bool> calm(static_cast<std::size_t>(surface.faces()), true);
+    for (const int face : field.singular_faces()) calm[static_cast<std::size_t>(face)] = false;
+    constexpr int rings = 2;
+    for (int ring = 0; ring < rings; ++ring) {
+        for (std::size_t f = 0; f < calm.size(); ++f)
+            if (!calm[f])
+                for (const int v : surface.mesh.triangles[f]) near_vertex[static_cast<std::size_t>(v)] = true;
+        for (std::size_t f = 0; f < calm.size(); ++f)
+            for (const int v : surface.mesh.triangles[f])
+                if (near_vertex[static_cast<std::size_t>(v)]) calm[f] = false;
+    }
+    return calm;
+}
+
+void speed_and_angle(GrowthLines& lines, const std::string& name, const SurfaceMesh& surface, const FieldOnSurface& field) {
+    const std::vector<Start> starts = starts_on(surface, walks);
+    double seconds = best_seconds(3, [&] {
+        for (const Start& start : starts) trace(surface, &field, start.at, start.direction, surface.mean_edge);
+    });
+    lines.begin("walks, " + name + ", " + std::to_string(surface.faces()) + " faces");
+    lines.at_least("moves a second, one mean edge long", walks / seconds, 400e3);
+
+    constexpr double edges = 3, most_degrees = 2;
+    const std::vector<bool> calm = calm_faces(field);
+    double sum = 0, worst = 0;
+    long samples = 0, far = 0, counted = 0;
+    for (const Start& start : starts) {
+        if (!calm[static_cast<std::size_t>(start.at.face)]) continue;
+        const SurfaceTrace walk = trace(surface, &field, start.at, start.direction, edges * surface.mean_edge);
+        if (walk.jumps > 0) continue;
+        sum += walk.angle_error_sum;
+        samples += walk.angle_samples;
+        worst = std::max(worst, walk.angle_error);
+        far += walk.angle_error * in_degrees > most_degrees ? 1 : 0;
+        ++counted;
+    }
+    lines.at_most("angle to the field, mean (degrees)", samples == 0 ? 0 : sum / static_cast<double>(samples) * in_degrees,
+                  0.1);
+    lines.say("angle to the field, largest (degrees)", worst * in_degrees);
+    lines.at_most("share of three-edge walks above 2 degrees",
+                  counted == 0 ? 0 : static_cast<double>(far) / static_cast<double>(counted), 1e-3);
+}
+
+FieldOnSurface east_field(const SurfaceMesh& sphere) {
+    SurfaceField east{.n = 1};
+    for (int v = 0; v < sphere.vertices(); ++v) {
+        const SpacePoint p = sphere.mesh.positions[static_cast<std::size_t>(v)];
+        const double angle = direction_at_vertex(sphere, v, {-p.y, p.x, 0});
+        east.values.push_back({std::cos(angle), std::sin(angle)});
+    }
+    return {sphere, std::move(east)};
+}
+
+/// Where a loxodrome from `start` (on the unit sphere) at `angle` to the east ends: the latitude climbs evenly, the
+/// longitude goes by Mercator's stretch.
+SpacePoint end_of_loxodrome(SpacePoint start, double angle, double length) {
+    const auto mercator = [](double latitude) { return std::asinh(std::tan(latitude)); };
+    const double low = std::asin(start.z), high = low + length * std::sin(angle);
+    const double longitude = std::atan2(start.y, start.x) + (mercator(high) - mercator(low)) / std::tan(angle);
+    return {std::cos(high) * std::cos(longitude), std::cos(high) * std::sin(longitude), std::sin(high)};
+}
+
+void loxodrome_lines(GrowthLines& lines) {
+    constexpr double length = 0.8;
+    constexpr int count = 24;
+    const SurfaceMesh sphere = surface_mesh(sphere_triangles(5));
+    const FieldOnSurface east = east_field(sphere);
+    double worst = 0;
+    for (int k = 0; k < count; ++k) {
+        const double angle = radians(360.0 / count * (k + 0.5));
+        const int vertex = nearest_vertex(sphere, {std::cos(0.7 * k), std::sin(0.7 * k), 0.15});
+        const SurfacePoint at = at_vertex(sphere, vertex);
+        const Complex along = root_near(east.at(at), 1, {1, 0});
+        const SurfaceTrace walk = trace(sphere, &east, at, along * Complex{std::cos(angle), std::sin(angle)}, length);
+        const SpacePoint end = end_of_loxodrome(position_in_space(sphere, at), angle, length);
+        worst = std::max(worst, abs(unit(position_in_space(sphere, walk.end)) - end));
+    }
+    lines.begin("walks, loxodromes on a sphere of 20,480 faces");
+    lines.at_most("end, largest distance from the closed form", worst, 3e-4);
+}
+
+}  // namespace
+
+void walk_lines(GrowthLines& lines, const SurfaceBenchOptions& options) {
+    if (!options.wants("walks")) return;
+    loxodrome_lines(lines);
+    for (const MeshCase& one : mesh_cases(options)) {
+        constexpr int most_faces = 100'000;  // smoothest fields of larger meshes take too long
+        if (!one.surface || one.surface->faces() > most_faces) continue;
+        constexpr double radius = 0.1;
+        const FieldOnSurface field(*one.surface, smoothed(*one.surface, guiding_curvature_field(*one.surface), radius));
+        speed_and_angle(lines, one.name, *one.surface, field);
+    }
+}
+
+}  // namespace rinceau::test

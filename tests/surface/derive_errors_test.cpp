@@ -1,0 +1,57 @@
+#include <catch2/catch.hpp>
+
+#include "derivation_world.h"
+
+using namespace rinceau;
+
+namespace {
+
+std::string message_of(const std::string& text, SurfaceWorld world = plane_world()) {
+    try {
+        grown(text, std::move(world));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string begin = "shape a = box\naxiom nearest 5 5 0 Grow(3)\n";
+
+}  // namespace
+
+TEST_CASE("sizes that are not positive are refused with rule and line") {
+    const std::string message =
+        message_of(begin + "Grow(n) ~ S(1,1,1) I(\"a\") Grow2(n-1)\nGrow2(n) ~ S(n-2,1,1) I(\"a\")\n");
+    CHECK(holds(message, "test.fgsg:4"));
+    CHECK(holds(message, "Grow2"));
+    CHECK(holds(message, "above 0"));
+}
+
+TEST_CASE("numbers that are not finite are refused with the line") {
+    CHECK(holds(message_of(begin + "Grow(n) ~ T(1/(n-3),0,0) I(\"a\")\n"), "test.fgsg:3"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ S(sqrt(-n),1,1) I(\"a\")\n"), "test.fgsg:3"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ LineSeg(-1,1)\n"), "test.fgsg:3"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ I(\"a\") : n-4\n"), "test.fgsg:3"));
+}
+
+TEST_CASE("unknown symbols, shapes and fields are refused before anything grows") {
+    CHECK(holds(message_of(begin + "Grow(n) ~ Other\n"), "Other"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ I(\"b\")\n"), "b"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ Rz(F2.Xangle1) I(\"a\")\n"), "F2"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ I(\"a\")\noption follow = F7\n"), "F7"));
+}
+
+TEST_CASE("axioms that name no place, and options that cannot be, are refused") {
+    CHECK(holds(message_of("shape a = box\naxiom vertex 100000 I(\"a\")\n"), "vertex"));
+    CHECK(holds(message_of("shape a = box\naxiom scatter -1 I(\"a\")\n"), "places"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ I(\"a\")\noption cull = all\n"), "bracket, rule or none"));
+    CHECK(holds(message_of(begin + "Grow(n) ~ I(\"a\")\noption touch = 2\n"), "touch"));
+}
+
+TEST_CASE("a condition that never holds ends a branch without a word") {
+    const SurfacePattern pattern = grown(begin + "Grow(n) : n < 0 ~ I(\"a\")\n", plane_world());
+    CHECK(pattern.complete);
+    CHECK(pattern.placed.empty());
+}
