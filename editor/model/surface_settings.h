@@ -38,7 +38,7 @@ struct SurfaceSettings {
     std::string mesh;     ///< file; empty = none
     std::string grammar;  ///< file of a shape grammar; empty = the document's rules
     FieldSettings field;
-    std::string output;    ///< file that what has grown is written to
+    std::string output;              ///< file that what has grown is written to
     std::vector<SurfaceMark> seeds;  ///< where growth begins; none = where the grammar says
     SurfaceTool tool = SurfaceTool::turn;
     std::string element = "regular";  ///< kind of the next element
