@@ -12,6 +12,7 @@
 #include "growth/mesh/mesh_glb_write.h"
 #include "growth/mesh/mesh_obj_write.h"
 #include "growth/mesh/mesh_picture.h"
+#include "growth/mesh/mesh_ply_write.h"
 #include "scene/svg_raster.h"
 
 namespace rinceau {
@@ -78,17 +79,25 @@ void write_surface(const WriteSurface& request) {
     const std::string ending = std::filesystem::path(path).extension().string();
     const MeshAssembly all = joined(*request.stage, request.grown.get());
     const UpAxis up = request.view.z_up ? UpAxis::z : UpAxis::y;
+    const auto streamed = [&](auto write) {
+        std::string bytes;
+        write(all, [&](std::string_view piece) { bytes += piece; });
+        write_output(path, bytes);
+    };
     if (ending == ".glb") {
-        write_output(path, glb_bytes(all, up));
+        write_output(path, glb_bytes(all, {.up = up, .instancing = GlbInstancing::gpu}));
     } else if (ending == ".obj") {
-        std::string text;
-        write_obj(all, [&](std::string_view piece) { text += piece; });
-        write_output(path, text);
+        streamed(write_obj);
+    } else if (ending == ".ply") {
+        streamed(write_ply);
     } else if (ending == ".png") {
-        constexpr int width = 1200;
-        write_output(path, picture_to_png(mesh_picture(all, up, {.elevation = request.view.elevation, .width = width})));
+        constexpr MeshView shaded{.width = 1200, .occlusion = 1};
+        MeshView view = shaded;
+        view.elevation = request.view.elevation;
+        view.turn = request.view.azimuth;
+        write_output(path, picture_to_png(mesh_picture(all, up, view)));
     } else {
-        throw InputError({request.path}, "a surface is written as .glb, .obj or .png; expected a name that ends so");
+        throw InputError({request.path}, "expected a name that ends in .glb, .obj, .ply or .png for what has grown");
     }
 }
 

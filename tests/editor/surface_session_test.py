@@ -89,8 +89,8 @@ def writes(editor, folder):
     magic, version, length = struct.unpack('<4sII', data[:12])
     assert (magic, version, length) == (b'glTF', 2, len(data)), 'what was written is no binary glTF'
     size, kind = struct.unpack('<I4s', data[12:20])
-    nodes = json.loads(data[20:20 + size])['nodes']
-    assert kind == b'JSON' and len(nodes) > 1, 'the file does not hold what has grown'
+    meshes = json.loads(data[20:20 + size])['meshes']
+    assert kind == b'JSON' and len(meshes) > 1, 'the file does not hold what has grown'
 
 
 def main(program, source, pictures=None):
