@@ -87,7 +87,7 @@ void write_surface(const WriteSurface& request) {
     if (ending == ".glb") {
         write_output(path, glb_bytes(all, {.up = up, .instancing = GlbInstancing::gpu}));
     } else if (ending == ".obj") {
-        streamed(write_obj);
+        streamed([](const MeshAssembly& assembly, const TextSink& sink) { write_obj(assembly, sink); });
     } else if (ending == ".ply") {
         streamed(write_ply);
     } else if (ending == ".png") {
