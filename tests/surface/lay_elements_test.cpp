@@ -63,7 +63,8 @@ TEST_CASE("Neighbours with a common edge leave no gap and no overlap in a chart:
     const Rectangle left = rectangle({-0.4, -0.3}, {0.05, 0.3}), right = rectangle({0.05, -0.3}, {0.4, 0.3});
     REQUIRE(lay_triangles(sphere, chart, left.laying(), {1.5}, visits, both) == LayFault::none);
     REQUIRE(lay_triangles(sphere, chart, right.laying(), {1.5}, visits, both) == LayFault::none);
-    REQUIRE(lay_triangles(sphere, chart, rectangle({-0.4, -0.3}, {0.4, 0.3}).laying(), {1.5}, visits, whole) == LayFault::none);
+    REQUIRE(lay_triangles(sphere, chart, rectangle({-0.4, -0.3}, {0.4, 0.3}).laying(), {1.5}, visits, whole) ==
+            LayFault::none);
     const std::map<int, double> a = area_by_face(both), b = area_by_face(whole);
     REQUIRE(a.size() == b.size());
     for (const auto& [face, area] : b) CHECK(a.at(face) == Approx(area).margin(1e-12));
