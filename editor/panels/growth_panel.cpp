@@ -106,7 +106,11 @@ namespace {
 
 void tabs(GrowthForm& form) {
     const auto tab = [&](const char* label, GrowthTab which) {
-        if (ImGui::RadioButton(label, form.settings.tab == which)) form.actions.push_back(GrowthAction{OpenGrowth{which}});
+        if (ImGui::RadioButton(label, form.settings.tab == which)) {
+            GrowthSettings settings = form.state().growth.settings;
+            settings.tab = which;
+            form.actions.push_back(GrowthAction{SetGrowth{std::move(settings)}});
+        }
         note_place(form.tools(), std::string("growth/tab ") + label);
     };
     tab("Arrangement", GrowthTab::arrangement);
