@@ -100,6 +100,43 @@ def aggregates(editor, folder):
     keep(editor, folder, 'aggregate')
 
 
+def choose(editor, what, value):
+    editor.click(f'growth/{what}')
+    editor.click(f'growth/{what}/{value}')
+
+
+def surfaces(editor, folder):
+    """With the mandala open: a field by mouse, a shape grammar along it, then the drawing."""
+    samples = root / 'samples' / 'surface'
+    editor.keys('ctrl+7')
+    editor.click('growth/tab Surface')
+    editor.fill_in('growth/mesh', str(samples / 'blob.obj'))
+    editor.click('growth/Open mesh')
+    editor.settle()
+    choose(editor, 'left button', 'puts field elements')
+    for kind, place in (('centre', (0.38, 0.36)), ('node', (0.62, 0.5)), ('wedge', (0.5, 0.7))):
+        choose(editor, 'element', kind)
+        editor.click(on_canvas(editor, *place))
+        editor.settle()
+    keep(editor, folder, 'surface_field', 'canvas')
+    choose(editor, 'left button', 'turns')
+    editor.click('growth/streamlines')
+    editor.fill_in('growth/grammar', str(samples / 'vine.fgsg'))
+    editor.click('growth/surface.grow')
+    editor.move((5, 5))
+    editor.settle()
+    keep(editor, folder, 'surface_shapes', 'canvas')
+    editor.fill_in('growth/grammar', '')
+    editor.keys('ctrl+a', 'Delete')
+    choose(editor, 'field', 'none')
+    choose(editor, 'left button', 'puts seeds')
+    editor.click(on_canvas(editor, 0.42, 0.55))
+    editor.click('growth/surface.grow')
+    editor.move((5, 5))
+    editor.settle()
+    keep(editor, folder, 'surface_drawing', 'canvas')
+
+
 def windows(editor, folder):
     editor.keys('ctrl+e')
     keep(editor, folder, 'export')
@@ -130,6 +167,8 @@ def main(program, folder=root / 'docs' / 'images' / 'editor'):
             arrangements(editor, folder)
         with Editor(display, program, root / 'samples' / 'flower.lsys') as editor:
             aggregates(editor, folder)
+        with Editor(display, program, root / 'samples' / 'mandala.lsys') as editor:
+            surfaces(editor, folder)
         with Editor(display, program, '--light', art) as editor:
             keep(editor, folder, 'light')
         with Editor(display, program, '--scale', '2', art) as editor:

@@ -42,17 +42,19 @@ Box united(const std::vector<Box>& boxes) {
 }
 
 /// The lowest elements while they fill the whole drawing: the surface takes their place.
-std::vector<bool> backgrounds(const TurtleScript& script, const std::vector<Box>& boxes,
-                              const std::vector<DrawnElement>& drawn) {
-    std::vector<bool> is_background(boxes.size(), false);
-    const Box all = united(boxes);
-    std::vector<int> order(boxes.size());
+std::vector<bool> backgrounds(const TurtleScript& script, const std::vector<DrawnElement>& drawn) {
+    std::vector<bool> is_background(drawn.size(), false);
+    Box all;
+    for (const DrawnElement& element : drawn) all = including(all, element.box);
+    std::vector<int> order(drawn.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](int i) { return script.elements[at(i)].layer; });
+    std::size_t left = drawn.size();
     for (const int i : order) {
-        if (drawn[at(i)].art == nullptr) continue;
-        const double filled = drawn[at(i)].art->layers.front().area * norm(drawn[at(i)].pose.linear);
-        if (boxes.size() < 2 || filled < background_share * width(all) * height(all)) break;
+        const DrawnElement& element = drawn[at(i)];
+        if (element.art == nullptr) continue;
+        const double filled = element.art->layers.front().area * norm(element.pose.linear);
+        if (--left == 0 || filled < background_share * width(all) * height(all)) break;
         is_background[at(i)] = true;
     }
     return is_background;
@@ -106,10 +108,24 @@ void add_losses(GrownDrawing& grown, const Grammar& grammar, const SurfaceMesh& 
                                      place_text(surface, first.at) + "; a smaller --scale helps");
 }
 
-/// In the plane the surface's x and y are the drawing's.
+/// Does it lie flat in the plane of x and y?
 bool is_plane(const SurfaceMesh& surface) {
     constexpr double level = 1e-12;
     return std::ranges::all_of(surface.frame, [&](const auto& frame) { return frame[2].z > 1 - level; });
+}
+
+/// Laid shapes of a plane as what they are: the drawing's terminals, moved and turned.
+std::vector<Placement> plane_placements(const SurfaceMesh& surface, const TurtleScript& script,
+                                        const std::vector<LaidShape>& shapes, const std::vector<int>& order) {
+    std::vector<Placement> placements;
+    for (const int i : order) {
+        const LaidShape& shape = shapes[at(i)];
+        const SpacePoint middle = position_in_space(surface, shape.middle);
+        const SpacePoint x = direction_in_space(surface, shape.middle.face, shape.turn);
+        Placement& placement = placements.emplace_back(script.elements[at(shape.element)]);
+        placement.pose = Similarity{{x.x, x.y}, {middle.x, middle.y}, false} * shape.pose;
+    }
+    return placements;
 }
 
 }  // namespace
@@ -131,7 +147,7 @@ GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, co
     std::vector<DrawnElement> elements;
     for (const Placement& placement : script.elements)
         elements.push_back(drawn_element(store.art(placement), placement.pose));
-    const std::vector<bool> background = backgrounds(script, boxes, elements);
+    const std::vector<bool> background = backgrounds(script, elements);
     long left_out = 0;
     for (std::size_t i = 0; i < elements.size(); ++i)
         if (background[i]) {
@@ -155,6 +171,7 @@ GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, co
     LaidMeshOptions lifting;
     lifting.height = options.height;
     grown.pattern.laid = laid_meshes(surface, laid.shapes, paint_ranks(order, covers), layers, lifting);
+    if (is_plane(surface)) grown.placements = plane_placements(surface, script, laid.shapes, order);
     grown.laid = static_cast<long>(laid.shapes.size());
     grown.shrunk = laid.shrunk;
     grown.split = laid.split;
@@ -163,7 +180,6 @@ GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, co
     grown.dropped = static_cast<long>(laid.dropped.size());
     add_warnings(grown, store.losses(), left_out);
     add_losses(grown, grammar, surface, script, laid);
-    (void)is_plane;
     return grown;
 }
 

@@ -31,7 +31,10 @@ struct GrownDrawing {
     SurfacePattern pattern;  ///< `laid`
     long elements = 0;       ///< of the drawing
     long laid = 0, shrunk = 0, split = 0, spines = 0, dropped = 0,
-         stopped = 0;   ///< stopped: at a border, or where it met itself
+         stopped = 0;  ///< stopped: at a border, or where it met itself
+    /// Of a surface that lies in the plane of x and y: the laid elements where they lie, in paint order, for pictures with
+    /// true curves (to_scene.h). Empty of other surfaces.
+    std::vector<Placement> placements;
     double folded = 0;  ///< share of laid area whose map is flipped; always 0
 };
 

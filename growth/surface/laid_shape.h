@@ -23,6 +23,8 @@ struct LaidShape {
     double radius = 0;         ///< a ball about the centre holds all corners
     std::vector<Point> drawn;  ///< hull of what it covers in the drawing, counter-clockwise
     Similarity pose;           ///< of the terminal, in the chart's plane
+    SurfacePoint middle;       ///< of the chart: its origin
+    Complex turn{1, 0};        ///< the chart's x axis there, in the frame of the face
 };
 
 /// Fills centre and radius.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "growth/surface/relax_chart.h"
 
@@ -14,6 +16,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 constexpr double patch_margin = 1.02;
 constexpr double relaxed_margin = 1.4;
 constexpr int relaxing_rounds = 12;
+/// A strip's patch is so much wider than the strip: sideways, polar places are off by their stretch.
+constexpr double strip_margin = 3;
+/// What the polar map has torn.
+constexpr double unusable_stretch = 8;
 
 /// The terminal's frame -> the chart's plane.
 Similarity to_chart(const ElementChart& chart, const Similarity& pose, const ElementLayer::Size& size) {
@@ -27,6 +33,31 @@ std::vector<std::array<Point, 2>> rim_lines(const ArtLayer& layer, const std::ve
     for (const auto& [i, j] : layer.borders)
         lines.push_back(mirrored ? std::array{points[at(j)], points[at(i)]} : std::array{points[at(i)], points[at(j)]});
     return lines;
+}
+
+/// The triangles that hang together, by edges, with the one of `face`.
+std::vector<ChartTriangle> part_with(const SurfaceMesh& surface, const std::vector<ChartTriangle>& patch, int face) {
+    std::map<int, std::size_t> index;
+    for (std::size_t t = 0; t < patch.size(); ++t) index[patch[t].face] = t;
+    std::vector<bool> taken(patch.size(), false);
+    std::vector<int> open{face};
+    taken[index.at(face)] = true;
+    while (!open.empty()) {
+        const int from = open.back();
+        open.pop_back();
+        for (int h = 3 * from; h < 3 * from + 3; ++h) {
+            const int twin = surface.twin[at(h)];
+            if (twin < 0) continue;
+            const auto found = index.find(face_of(twin));
+            if (found == index.end() || taken[found->second]) continue;
+            taken[found->second] = true;
+            open.push_back(face_of(twin));
+        }
+    }
+    std::vector<ChartTriangle> part;
+    for (std::size_t t = 0; t < patch.size(); ++t)
+        if (taken[t]) part.push_back(patch[t]);
+    return part;
 }
 
 }  // namespace
@@ -52,6 +83,26 @@ DrawnDisc disc_of(std::span<const DrawnElement> elements, std::span<const int> c
     return disc;
 }
 
+DrawnStrip strip_of(const DrawnElement& element) {
+    DrawnStrip strip;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < element.hull.size(); ++k) {
+        const Point side = element.hull[(k + 1) % element.hull.size()] - element.hull[k];
+        if (!(abs(side) > 0)) continue;
+        const Complex along = side / abs(side);
+        Box box;
+        for (const Point p : element.hull) box = including(box, conj(along) * p);
+        if (height(box) >= least) continue;
+        least = height(box);
+        strip = {along * center(box), along, 0.5 * width(box), 0.5 * height(box)};
+    }
+    if (strip.half_length < strip.half_width) {
+        std::swap(strip.half_length, strip.half_width);
+        strip.along = strip.along * Complex{0, 1};
+    }
+    return strip;
+}
+
 ElementChart ElementLayer::polar_chart(const DrawingStand& middle, double radius) {
     return {drawing_chart(*surface_, patches_.patch(middle.at, middle.turn, patch_margin * scale_ * radius)), middle,
             scale_};
@@ -62,10 +113,32 @@ ElementChart ElementLayer::relaxed_polar_chart(const DrawingStand& middle, doubl
     return {drawing_chart(*surface_, relaxed_chart(*surface_, std::move(patch), relaxing_rounds)), middle, scale_};
 }
 
+ElementChart ElementLayer::strip_chart(const DrawingStand& middle, double radius, const DrawnStrip& strip) {
+    std::vector<ChartTriangle> patch = patches_.patch(middle.at, middle.turn, patch_margin * scale_ * radius);
+    const double reach = scale_ * strip.half_width * strip_margin;
+    const auto beside = [&](const ChartTriangle& triangle) {
+        double low = dot(conj(strip.along) * triangle.at[0], {0, 1}), high = low;
+        for (const Complex p : triangle.at) {
+            const double v = dot(conj(strip.along) * p, {0, 1});
+            low = std::min(low, v);
+            high = std::max(high, v);
+        }
+        return low > reach || high < -reach;
+    };
+    std::erase_if(patch, [&](const ChartTriangle& triangle) {
+        return triangle.face != middle.at.face &&
+               (beside(triangle) || chart_stretch(*surface_, triangle) > unusable_stretch);
+    });
+    patch = part_with(*surface_, patch, middle.at.face);
+    return {drawing_chart(*surface_, relaxed_chart(*surface_, std::move(patch), relaxing_rounds)), middle, scale_};
+}
+
 LayFault ElementLayer::lay_one(const ElementChart& chart, const DrawnElement& element, double stretch, const Size& size,
                                LaidShape& shape) {
     const Similarity map = to_chart(chart, element.pose, size);
     shape.pose = map;
+    shape.middle = chart.middle.at;
+    shape.turn = chart.middle.turn;
     for (const ArtLayer& layer : element.art->layers) {
         std::vector<Point> points;
         points.reserve(layer.points.size());

@@ -27,6 +27,14 @@ struct DrawnDisc {
 };
 DrawnDisc disc_of(std::span<const DrawnElement> elements, std::span<const int> chosen);
 
+/// The narrowest rectangle about an element.
+struct DrawnStrip {
+    Point centre;
+    Complex along{1, 0};  ///< of length 1
+    double half_length = 0, half_width = 0;
+};
+DrawnStrip strip_of(const DrawnElement& element);
+
 /// The chart, with the drawing's place at its origin and the drawing's x along its own.
 struct ElementChart {
     DrawingChart chart;
@@ -46,6 +54,9 @@ class ElementLayer {
     ElementChart polar_chart(const DrawingStand& middle, double radius);
     /// The same with its stretch shared out; wider, as what lies within the radius moves.
     ElementChart relaxed_polar_chart(const DrawingStand& middle, double radius);
+
+    /// Only the faces along the strip through the middle, relaxed: a narrow strip of any surface lies nearly flat.
+    ElementChart strip_chart(const DrawingStand& middle, double radius, const DrawnStrip& strip);
 
     struct Size {
         double factor = 1;  ///< of the elements, about `about`

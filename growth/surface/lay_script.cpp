@@ -24,6 +24,7 @@ constexpr double field_turn = 12 * pi / 180;  // over a group that does not foll
 constexpr double met_share = 0.05;            // of the smaller area: elements that share more have met
 constexpr double drawn_reach = 1.25;          // of elements in the drawing: those may meet on the surface
 constexpr double covered_share = 0.002;       // of the smaller area: less is not above
+constexpr double spine_aspect = 4;            // length by width from which an element has a spine
 constexpr long relaxing_budget = 3'000'000;   // triangles of relaxed charts of groups that were tried
 
 class ScriptLayer {
@@ -220,8 +221,24 @@ class ScriptLayer {
         cure(*middle, disc, chosen);
     }
 
-    /// What does not lie well in its polar chart: less stretch, less size, its parts alone, or not at all.
+    /// A long element through the faces along its axis.
+    bool lay_along_spine(int element) {
+        const DrawnStrip strip = strip_of(elements_[at(element)]);
+        if (strip.half_length < spine_aspect * strip.half_width) return false;
+        const std::optional<DrawingStand> middle = moved(surface_, ways_, turtle_.stand(), strip.centre);
+        if (!middle) return false;
+        const double radius = std::hypot(strip.half_length, strip.half_width);
+        ElementLayer::Result result =
+            layer_.lay(layer_.strip_chart(*middle, radius, strip), elements_, std::array{element}, options_.stretch);
+        if (result.fault != LayFault::none) return false;
+        ++laid_.spines;
+        keep_unless_met(std::move(result.shapes));
+        return true;
+    }
+
+    /// What does not lie well in its polar chart: along its spine, less stretch, less size, its parts alone, or not at all.
     void cure(const DrawingStand& middle, const DrawnDisc& disc, const std::vector<int>& chosen) {
+        if (chosen.size() == 1 && lay_along_spine(chosen.front())) return;
         const ElementChart relaxed = layer_.relaxed_polar_chart(middle, disc.radius);
         const Point about = turtle_.stand().drawn;
         constexpr double sizes[] = {1, 0.9, 0.8, 0.7, 0.6};

@@ -24,6 +24,24 @@ double flat_share(const SurfaceMesh& surface, PatchMaker& patches, SurfacePoint 
     return good / (pi * radius * radius);
 }
 
+/// Is nothing of the surface between the place and an eye far away?
+bool is_seen(const SurfaceMesh& surface, SurfacePoint place, SpacePoint eye) {
+    const SpacePoint from = position_in_space(surface, place);
+    for (int face = 0; face < surface.faces(); ++face) {
+        if (face == place.face) continue;
+        const auto& corners = surface.mesh.triangles[at(face)];
+        const SpacePoint a = surface.mesh.positions[at(corners[0])];
+        const SpacePoint u = surface.mesh.positions[at(corners[1])] - a, v = surface.mesh.positions[at(corners[2])] - a;
+        // Moeller and Trumbore 1997
+        const SpacePoint p = cross(eye, v), s = from - a, q = cross(s, u);
+        const double determinant = dot(u, p);
+        if (determinant == 0) continue;
+        const double x = dot(s, p) / determinant, y = dot(eye, q) / determinant, way = dot(v, q) / determinant;
+        if (x >= 0 && y >= 0 && x + y <= 1 && way > 1e-6 * surface.diagonal) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 SurfacePoint start_place(const SurfaceMesh& surface, double radius) {
@@ -36,7 +54,10 @@ SurfacePoint start_place(const SurfaceMesh& surface, double radius) {
     double best_score = -1;
     for (int k = 0; k < places; ++k) {
         const SurfacePoint place = random_surface_point(surface, random);
-        const double score = flat_share(surface, patches, place, disc) + front * dot(normal_at(surface, place), eye);
+        const SpacePoint normal = normal_at(surface, place);
+        // a place inside of a hole is no place to be looked at
+        const double open = is_seen(surface, place, normal) ? 1 : 0;
+        const double score = flat_share(surface, patches, place, disc) + front * dot(normal, eye) + open;
         if (score > best_score) {
             best_score = score;
             best = place;
