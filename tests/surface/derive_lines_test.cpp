@@ -86,3 +86,39 @@ TEST_CASE("every point of a line lies on the surface, and cracks end on older li
     }
     CHECK(merged == pattern.counts.merged_lines);
 }
+
+TEST_CASE("a line whose end merges with a node ends at the node, on a curved surface too") {
+    const std::string text = R"(
+shape node = disc
+axiom vertex 3 Node(0)
+Node(k) ~ S(0.05,0.05,0.05) IM("node",0.16,180) [Rz(60) Out(k)] [Rz(-60) Out(k)] [Rz(180) Out(k)]
+Out(k) ~ Line(0) LineSeg(0.3,0.02) Node(k+1)
+)";
+    const SurfacePattern pattern = grown(text, bare_world(torus_triangles(60, 30, 1.2, 0.5)));
+    CHECK(pattern.complete);
+    CHECK(pattern.placed.size() > 50);
+    CHECK(pattern.counts.merged_points > 50);
+    for (const PatternLine& line : pattern.lines)
+        for (const SpacePoint end : {line.points.front(), line.points.back()}) {
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const PatternShape& node : pattern.placed) nearest = std::min(nearest, abs(node.position - end));
+            CHECK(nearest < 1e-9);
+        }
+}
+
+TEST_CASE("a line through a chart lies on the surface and closes its ring") {
+    const std::string text = R"(
+axiom vertex 40 Chart{ T(0.4,0,0) Rz(105) Line(0) Round(0) }
+Round(i) : i < 12 ~ LineSeg(0.8*sin(15),0.02) Rz(30) Round(i+1)
+)";
+    const SurfaceWorld world = bare_world(sphere_triangles(4));
+    const SurfacePattern pattern = grown(text, world);
+    REQUIRE(pattern.lines.size() == 1);
+    const PatternLine& ring = pattern.lines[0];
+    CHECK(ring.segments == 12);
+    CHECK(abs(ring.points.front() - ring.points.back()) < 1e-9);
+    for (std::size_t k = 0; k < ring.points.size(); ++k) {
+        CHECK(abs(position_in_space(*world.surface, ring.at[k]) - ring.points[k]) < 1e-12);
+        if (k > 0) CHECK(abs(ring.points[k] - ring.points[k - 1]) < 0.03);
+    }
+}
