@@ -26,12 +26,11 @@ PlanePiece plane_piece(const ShapeGrammar& grammar) {
     const auto option = grammar.options.find("plane");
     if (option == grammar.options.end()) return piece;
     constexpr double largest = 1e6, finest = 2000;
-    const SettingValues values =
-        setting_values(option->second, evaluated_numbers(option->second, grammar, {}),
-                       {{"value", piece.width, 1 / largest, largest},
-                        {"height", 0, 0, largest},
-                        {"cells", static_cast<double>(piece.cells), 1, finest, true}},
-                       {});
+    const SettingValues values = setting_values(option->second, evaluated_numbers(option->second, grammar, {}),
+                                                {{"value", piece.width, 1 / largest, largest},
+                                                 {"height", 0, 0, largest},
+                                                 {"cells", static_cast<double>(piece.cells), 1, finest, true}},
+                                                {});
     piece.width = values.number("value");
     piece.height = values.number("height") > 0 ? values.number("height") : piece.width;
     piece.cells = values.whole("cells");
@@ -45,8 +44,8 @@ TriangleMesh plane_mesh(const PlanePiece& piece) {
     TriangleMesh mesh;
     for (int j = 0; j <= rows; ++j)
         for (int i = 0; i <= columns; ++i)
-            mesh.positions.push_back(
-                {piece.width * (static_cast<double>(i) / columns - 0.5), piece.height * (static_cast<double>(j) / rows - 0.5), 0});
+            mesh.positions.push_back({piece.width * (static_cast<double>(i) / columns - 0.5),
+                                      piece.height * (static_cast<double>(j) / rows - 0.5), 0});
     const auto corner = [columns](int i, int j) { return j * (columns + 1) + i; };
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
