@@ -64,6 +64,16 @@ SurfacePoint start_of_drawing(const SurfaceMesh& surface, const GrowVerbOptions&
     return at_vertex(surface, vertex);
 }
 
+/// Ends work that takes longer than --seconds.
+Progress within(double seconds, const std::string& label, Progress progress) {
+    if (seconds <= 0) return progress;
+    return [=, start = Clock::now()](std::string_view stage, double share) {
+        if (seconds_since(start) > seconds)
+            throw LimitError({label}, "stopped by --seconds; nothing is written: allow more, or draw less with --depth");
+        report(progress, stage, share);
+    };
+}
+
 Grown grow_rules(const Grammar& grammar, std::shared_ptr<const SurfaceMesh> surface, const GrowVerbOptions& options,
                  const Progress& progress) {
     const auto start = Clock::now();
@@ -82,7 +92,8 @@ Grown grow_rules(const Grammar& grammar, std::shared_ptr<const SurfaceMesh> surf
     drawing.max_shapes = options.max_shapes.value_or(drawing.max_shapes);
     if (options.at || options.vertex) drawing.start = start_of_drawing(*grown.world.surface, options);
     const auto growth_start = Clock::now();
-    grown.drawing = grow_drawing(grammar, *grown.world.surface, grown.field, drawing, progress);
+    grown.drawing = grow_drawing(grammar, *grown.world.surface, grown.field, drawing,
+                                 within(options.seconds, input_label(options.input), progress));
     grown.pattern = std::move(grown.drawing->pattern);
     grown.growth_seconds = seconds_since(growth_start);
     return grown;

@@ -25,8 +25,12 @@ PlanePiece plane_piece(const ShapeGrammar& grammar) {
     PlanePiece piece;
     const auto option = grammar.options.find("plane");
     if (option == grammar.options.end()) return piece;
+    const ShapeSource& source = option->second;
+    if (!source.numbers.contains("value"))
+        throw InputError(source.place,
+                         "expected the plane's width, as in option plane = 2 height = 1, found '" + source.text + "'");
     constexpr double largest = 1e6, finest = 2000;
-    const SettingValues values = setting_values(option->second, evaluated_numbers(option->second, grammar, {}),
+    const SettingValues values = setting_values(source, evaluated_numbers(source, grammar, {}),
                                                 {{"value", piece.width, 1 / largest, largest},
                                                  {"height", 0, 0, largest},
                                                  {"cells", static_cast<double>(piece.cells), 1, finest, true}},
