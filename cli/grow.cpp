@@ -58,10 +58,20 @@ Grown grow_shapes(const ShapeGrammar& grammar, std::shared_ptr<const SurfaceMesh
 SurfacePoint start_of_drawing(const SurfaceMesh& surface, const GrowVerbOptions& options) {
     const int vertex = options.at ? nearest_vertex(surface, *options.at) : *options.vertex;
     if (vertex >= surface.vertices())
-        throw InputError({input_label(options.surface)},
-                         "--vertex: expected a vertex from 0 to " + std::to_string(surface.vertices() - 1) + ", found " +
-                             std::to_string(vertex));
+        throw InputError({input_label(options.surface)}, "--vertex: expected a vertex from 0 to " +
+                                                             std::to_string(surface.vertices() - 1) + ", found " +
+                                                             std::to_string(vertex));
     return at_vertex(surface, vertex);
+}
+
+/// Ends work that takes longer than --seconds.
+Progress within(double seconds, const std::string& label, Progress progress) {
+    if (seconds <= 0) return progress;
+    return [=, start = Clock::now()](std::string_view stage, double share) {
+        if (seconds_since(start) > seconds)
+            throw LimitError({label}, "stopped by --seconds; nothing is written: allow more, or draw less with --depth");
+        report(progress, stage, share);
+    };
 }
 
 Grown grow_rules(const Grammar& grammar, std::shared_ptr<const SurfaceMesh> surface, const GrowVerbOptions& options,
@@ -82,7 +92,8 @@ Grown grow_rules(const Grammar& grammar, std::shared_ptr<const SurfaceMesh> surf
     drawing.max_shapes = options.max_shapes.value_or(drawing.max_shapes);
     if (options.at || options.vertex) drawing.start = start_of_drawing(*grown.world.surface, options);
     const auto growth_start = Clock::now();
-    grown.drawing = grow_drawing(grammar, *grown.world.surface, grown.field, drawing, progress);
+    grown.drawing = grow_drawing(grammar, *grown.world.surface, grown.field, drawing,
+                                 within(options.seconds, input_label(options.input), progress));
     grown.pattern = std::move(grown.drawing->pattern);
     grown.growth_seconds = seconds_since(growth_start);
     return grown;
@@ -97,7 +108,8 @@ void say_summary(const Grown& grown) {
     if (grown.drawing) {
         const GrownDrawing& drawing = *grown.drawing;
         std::string line = counted(drawing.laid, "element", "elements") + " laid";
-        if (drawing.dropped > 0) line += ", " + std::to_string(drawing.dropped) + " dropped where the surface bends too much";
+        if (drawing.dropped > 0)
+            line += ", " + std::to_string(drawing.dropped) + " dropped where the surface bends too much";
         if (drawing.stopped > 0) line += ", " + std::to_string(drawing.stopped) + " stopped at borders or where they met";
         return say(line);
     }
@@ -120,9 +132,8 @@ int run_grow(const GrowVerbOptions& options) {
 
     ProgressBar bar;
     const auto* shapes = std::get_if<ShapeGrammar>(&input.grammar);
-    const Grown grown = shapes != nullptr
-                            ? grow_shapes(*shapes, surface, options, bar.callback())
-                            : grow_rules(std::get<Grammar>(input.grammar), surface, options, bar.callback());
+    const Grown grown = shapes != nullptr ? grow_shapes(*shapes, surface, options, bar.callback())
+                                          : grow_rules(std::get<Grammar>(input.grammar), surface, options, bar.callback());
     seconds.ground = surface_seconds + grown.ground_seconds;
     seconds.growth = grown.growth_seconds;
     for (const std::string& warning : grown.pattern.warnings) {
@@ -140,17 +151,16 @@ int run_grow(const GrowVerbOptions& options) {
     seconds.output = seconds_since(output_start);
     seconds.total = seconds_since(start);
     if (!options.report.empty()) {
-        write_output(options.report,
-                     grow_report_json({.input = options.input,
-                                       .surface = options.surface,
-                                       .pattern = &grown.pattern,
-                                       .ground = grown.world.surface.get(),
-                                       .field = grown.field,
-                                       .drawing = grown.drawing ? &*grown.drawing : nullptr,
-                                       .seed = options.seed,
-                                       .faces = faces,
-                                       .warnings = input.warnings,
-                                       .seconds = seconds}));
+        write_output(options.report, grow_report_json({.input = options.input,
+                                                       .surface = options.surface,
+                                                       .pattern = &grown.pattern,
+                                                       .ground = grown.world.surface.get(),
+                                                       .field = grown.field,
+                                                       .drawing = grown.drawing ? &*grown.drawing : nullptr,
+                                                       .seed = options.seed,
+                                                       .faces = faces,
+                                                       .warnings = input.warnings,
+                                                       .seconds = seconds}));
     }
     say_summary(grown);
     return grown.pattern.complete ? exit_status::done : exit_status::limit_reached;

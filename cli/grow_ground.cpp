@@ -50,7 +50,7 @@ ShapeGrammar adapted(ShapeGrammar grammar, const GrowVerbOptions& options) {
 
 ShapeSource field_of_option(const std::string& text) {
     const std::string ending = std::filesystem::path(text).extension().string();
-    const std::string source = ending == ".json" ? "file \"" + text + '"'
+    const std::string source = ending == ".json"  ? "file \"" + text + '"'
                                : ending == ".png" ? "image \"" + text + '"'
                                                   : text;
     return parse_shape_grammar("field F1 = " + source, "--field").fields.at(0);

@@ -51,7 +51,8 @@ void add_ground_options(CLI::App& verb, GrowVerbOptions& options) {
                 if (!(numbers[0] > 0 && numbers[1] > 0)) fail("--size", "expected " + expected + ", found '" + text + "'");
                 options.size = Point{numbers[0], numbers[1]};
             },
-            "Without --on: size of the piece of the plane, which is about the origin (1,1 unless the grammar says otherwise)")
+            "Without --on: size of the piece of the plane, which is about the origin (1,1 unless the grammar says "
+            "otherwise)")
         ->type_name("W,H");
     verb.add_option("--field", options.field,
                     "The field that guides: a file of `rinceau field` (.json), or a source as grammars write it, such as "
@@ -64,8 +65,9 @@ void add_limits(CLI::App& verb, GrowVerbOptions& options) {
         ->capture_default_str()
         ->type_name("N");
     constexpr long most_shapes = 100'000'000;
-    verb.add_option("--max-shapes", options.max_shapes, "Stop with status 3 at so many shapes, placed and waiting (1000000 "
-                                                 "unless the grammar says otherwise)")
+    verb.add_option("--max-shapes", options.max_shapes,
+                    "Stop with status 3 at so many shapes, placed and waiting (1000000 "
+                    "unless the grammar says otherwise)")
         ->check(CLI::Range(1L, most_shapes))
         ->type_name("N");
     verb.add_option("--seconds", options.seconds, "Stop with status 3 after so long")
@@ -93,13 +95,15 @@ void add_output_options(CLI::App& verb, GrowVerbOptions& options) {
     verb.add_option_function<std::string>(
             "--view",
             [&options](const std::string& text) {
-                const std::string expected = "a turn and an elevation in degrees, TURN,ELEVATION, the elevation from -90 to 90";
+                const std::string expected =
+                    "a turn and an elevation in degrees, TURN,ELEVATION, the elevation from -90 to 90";
                 const std::vector<double> numbers = parse_numbers("--view", expected, text, 2);
                 constexpr double straight = 90;
                 if (std::abs(numbers[1]) > straight) fail("--view", "expected " + expected + ", found '" + text + "'");
                 options.view = {numbers[0], numbers[1]};
             },
-            "Where a picture is seen from: so far round the up axis from the front, and so far above; without it, from where "
+            "Where a picture is seen from: so far round the up axis from the front, and so far above; without it, from "
+            "where "
             "the pattern faces")
         ->type_name("TURN,ELEVATION");
     verb.add_option("--width", options.width, "Width of a .png in pixels")
@@ -154,10 +158,11 @@ void add_drawing_options(CLI::App& verb, GrowVerbOptions& options) {
             },
             "Drawings: begin at the vertex nearest to this place")
         ->type_name("X,Y,Z");
-    number("--scale", drawing.scale, 1 / largest_length, largest_length,
-           "Drawings: length on the surface of a unit of the drawing; without it, the drawing's diagonal becomes half of the "
-           "surface's",
-           "S");
+    number(
+        "--scale", drawing.scale, 1 / largest_length, largest_length,
+        "Drawings: length on the surface of a unit of the drawing; without it, the drawing's diagonal becomes half of the "
+        "surface's",
+        "S");
     constexpr double turn = 360;
     number("--heading", drawing.heading, -turn, turn,
            "Drawings: degrees that the drawing's up is turned counter-clockwise from the field, or from the surface's up",
@@ -193,9 +198,10 @@ void add_drawing_options(CLI::App& verb, GrowVerbOptions& options) {
 }  // namespace
 
 void add_grow_options(CLI::App& verb, GrowVerbOptions& options) {
-    verb.add_option("GRAMMAR", options.input,
-                    "A shape grammar (.fgsg), an L-system (.lsys, .json) or a drawing (.svg), whose rules are found first; - "
-                    "for standard input")
+    verb.add_option(
+            "GRAMMAR", options.input,
+            "A shape grammar (.fgsg), an L-system (.lsys, .json) or a drawing (.svg), whose rules are found first; - "
+            "for standard input")
         ->required()
         ->type_name("FILE");
     add_ground_options(verb, options);

@@ -24,8 +24,8 @@ Json singularities(const GrowReport& report) {
 }
 
 Json laid(const GrownDrawing& drawing) {
-    return {{"elements", drawing.elements}, {"laid", drawing.laid},       {"shrunk", drawing.shrunk},
-            {"split", drawing.split},       {"spines", drawing.spines},   {"dropped", drawing.dropped},
+    return {{"elements", drawing.elements}, {"laid", drawing.laid},     {"shrunk", drawing.shrunk},
+            {"split", drawing.split},       {"spines", drawing.spines}, {"dropped", drawing.dropped},
             {"stopped", drawing.stopped},   {"folded", drawing.folded}};
 }
 

@@ -20,7 +20,7 @@ struct GrowSeconds {
 };
 
 struct GrowReport {
-    std::string input, surface;             ///< names as given; no surface: the plane
+    std::string input, surface;  ///< names as given; no surface: the plane
     const SurfacePattern* pattern = nullptr;
     const SurfaceMesh* ground = nullptr;
     const FieldOnSurface* field = nullptr;  ///< that guides; may be none

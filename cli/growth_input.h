@@ -22,8 +22,8 @@ struct AnalyzedInput {
     std::vector<std::string> warnings;  ///< they were said
 };
 
-/// The rules of the bytes of the file `name`: a drawing, which is analysed, or a grammar. Says warnings. Throws as read_svg(),
-/// read_grammar() and analyze().
+/// The rules of the bytes of the file `name`: a drawing, which is analysed, or a grammar. Says warnings. Throws as
+/// read_svg(), read_grammar() and analyze().
 AnalyzedInput read_rules(const std::string& name, const std::string& bytes, int threads);
 
 /// Reads `name` (.svg, .svgz, .lsys, .json, or - for standard input). Says warnings. Throws as read_input(), read_svg(),

@@ -17,9 +17,9 @@ namespace rinceau {
 namespace {
 
 /// All options, those of options_of() and of plane_piece().
-constexpr std::array<std::string_view, 14> known_options{"cull",   "order",        "collide",    "follow",    "touch",
-                                                         "kin",    "step",         "turn",       "jump",      "follow_share",
-                                                         "plane",  "max_shapes",   "max_rules",  "max_seconds"};
+constexpr std::array<std::string_view, 14> known_options{"cull",  "order",      "collide",   "follow",     "touch",
+                                                         "kin",   "step",       "turn",      "jump",       "follow_share",
+                                                         "plane", "max_shapes", "max_rules", "max_seconds"};
 
 class ShapeGrammarChecker {
   public:
@@ -34,9 +34,8 @@ class ShapeGrammarChecker {
         check_options();
         for (const ShapeSource& shape : grammar().shapes) keeping([&] { check_shape(shape); });
         for (const ShapeSource& field : grammar().fields) keeping([&] { check_field(field); });
-        std::ranges::stable_sort(mistakes_, {}, [](const Warning& mistake) {
-            return std::tuple(mistake.place.line, mistake.place.column);
-        });
+        std::ranges::stable_sort(
+            mistakes_, {}, [](const Warning& mistake) { return std::tuple(mistake.place.line, mistake.place.column); });
         GrammarFindings findings{std::move(mistakes_), {}};
         if (findings.mistakes.empty()) findings.hints = shape_grammar_hints(grammar(), compiled);
         return findings;
@@ -90,8 +89,8 @@ class ShapeGrammarChecker {
     void check_field(const ShapeSource& field) const {
         const std::vector<std::string>& kinds = field_source_kinds();
         if (std::ranges::find(kinds, field.kind) == kinds.end())
-            throw InputError(field.place, "expected the kind of a field, found '" + field.kind + "'" +
-                                              instead_of(field.kind, kinds));
+            throw InputError(field.place,
+                             "expected the kind of a field, found '" + field.kind + "'" + instead_of(field.kind, kinds));
         for (const auto& [key, value] : field.numbers) value_of(value, grammar(), {}, field.place);
         if (!field.text.empty() && read_file_) read_file_(field.text);
     }
@@ -99,8 +98,7 @@ class ShapeGrammarChecker {
 
 }  // namespace
 
-GrammarFindings inspect_shape_grammar(std::string_view text, const std::string& file_name,
-                                      const ReadNamedFile& read_file) {
+GrammarFindings inspect_shape_grammar(std::string_view text, const std::string& file_name, const ReadNamedFile& read_file) {
     return ShapeGrammarChecker(text, file_name, read_file).check();
 }
 

@@ -165,21 +165,21 @@ class ShapeCompiler {
         const double number = axiom.numbers.front();
         constexpr double most = 1e9;  // as many places or vertices as could be held
         if (number >= 0 && number <= most && number == static_cast<double>(static_cast<long>(number))) return;
-        throw InputError(axiom.source->place, std::string("expected ") +
-                                                  (axiom.where == ShapeAxiom::Where::vertex ? "the number of a vertex"
-                                                                                            : "a number of places") +
-                                                  ", 0 .. 1e9, found '" + to_text(axiom.source->numbers.front()) + "'");
+        throw InputError(axiom.source->place,
+                         std::string("expected ") +
+                             (axiom.where == ShapeAxiom::Where::vertex ? "the number of a vertex" : "a number of places") +
+                             ", 0 .. 1e9, found '" + to_text(axiom.source->numbers.front()) + "'");
     }
 
     std::vector<CompiledShapeCommand> commands(const std::vector<ShapeCommand>& commands, int& ordinal) {
         std::vector<CompiledShapeCommand> result;
-        for (const ShapeCommand& command : commands)
-            keeping([&] { result.push_back(compiled(command, ordinal)); });
+        for (const ShapeCommand& command : commands) keeping([&] { result.push_back(compiled(command, ordinal)); });
         return result;
     }
 
     CompiledShapeCommand compiled(const ShapeCommand& command, int& ordinal) {
-        CompiledShapeCommand result{.verb = command.verb, .ordinal = ordinal++, .numbers = {}, .groups = {}, .source = &command};
+        CompiledShapeCommand result{
+            .verb = command.verb, .ordinal = ordinal++, .numbers = {}, .groups = {}, .source = &command};
         for (const auto& group : command.groups) result.groups.push_back(commands(group, ordinal));
         if (command.verb == ShapeVerb::symbol) result.symbol = symbol_of(command);
         if (command.verb == ShapeVerb::place || command.verb == ShapeVerb::place_clear ||
@@ -198,7 +198,8 @@ class ShapeCompiler {
 
     static void expect_arguments(const ShapeCommand& command) {
         if (command.verb == ShapeVerb::symbol || command.verb == ShapeVerb::push || command.verb == ShapeVerb::pop) return;
-        if (const auto wrong = wrong_arguments(shape_command(command.verb), command)) throw InputError(command.place, *wrong);
+        if (const auto wrong = wrong_arguments(shape_command(command.verb), command))
+            throw InputError(command.place, *wrong);
     }
 
     int symbol_of(const ShapeCommand& command) const {
@@ -212,8 +213,8 @@ class ShapeCompiler {
                                                     std::to_string(command.arguments.size()));
             known.push_back(symbol.name);
         }
-        throw InputError(command.place,
-                         "expected a symbol that has a rule, found '" + command.name + "'" + instead_of(command.name, known));
+        throw InputError(command.place, "expected a symbol that has a rule, found '" + command.name + "'" +
+                                            instead_of(command.name, known));
     }
 
     std::string line_of(const ShapeSymbol& symbol) const {
@@ -240,7 +241,10 @@ class ShapeCompiler {
     /// What may be left out.
     static void fill_up(CompiledShapeCommand& command) {
         const auto constant = [&](double value) {
-            command.numbers.push_back({.value = value, .program = {}, .queries = {}, .expression = number_expression(value),
+            command.numbers.push_back({.value = value,
+                                       .program = {},
+                                       .queries = {},
+                                       .expression = number_expression(value),
                                        .place = &command.source->place});
         };
         constexpr double any_angle = 180;

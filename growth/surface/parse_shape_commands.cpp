@@ -30,7 +30,8 @@ class CommandParser {
             result.push_back(command());
             if (result.back().verb == ShapeVerb::push) open.push_back(result.back().place);
             if (result.back().verb == ShapeVerb::pop) open.pop_back();
-            if (open.size() > max_nesting) scanner_.fail("at most " + std::to_string(max_nesting) + " brackets in each other");
+            if (open.size() > max_nesting)
+                scanner_.fail("at most " + std::to_string(max_nesting) + " brackets in each other");
         }
         if (!open.empty()) throw InputError(open.back(), "expected a ']' for this '[', found none");
         return result;
@@ -68,7 +69,8 @@ class CommandParser {
         }
         if (scanner_.take("(")) arguments(command);
         if (info == nullptr) {
-            if (command.has_text) throw InputError(command.place, "expected numbers for the symbol " + word + ", found a text");
+            if (command.has_text)
+                throw InputError(command.place, "expected numbers for the symbol " + word + ", found a text");
         } else if (const auto wrong = wrong_arguments(*info, command)) {
             scanner_.keep(InputError(command.place, *wrong));
         }

@@ -165,7 +165,8 @@ class StatementReader {
             axiom.field = scanner.name("the name of a field");
             return;
         } else if (word != "vertex") {
-            throw InputError(place, "expected a place: vertex N, nearest X Y Z, scatter N or each FIELD, found '" + word + "'");
+            throw InputError(place,
+                             "expected a place: vertex N, nearest X Y Z, scatter N or each FIELD, found '" + word + "'");
         }
         while (axiom.numbers.size() < numbers)
             axiom.numbers.push_back(scanner.expression_here({.queries = true, .operand = true}));
@@ -173,9 +174,8 @@ class StatementReader {
 };
 
 void sort_by_place(std::vector<Warning>& mistakes) {
-    std::ranges::stable_sort(mistakes, {}, [](const Warning& mistake) {
-        return std::tuple(mistake.place.line, mistake.place.column);
-    });
+    std::ranges::stable_sort(mistakes, {},
+                             [](const Warning& mistake) { return std::tuple(mistake.place.line, mistake.place.column); });
 }
 
 }  // namespace

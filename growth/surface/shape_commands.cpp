@@ -15,8 +15,7 @@ constexpr std::array commands{
                      "move by (x, y) over the surface, keeping the angle to the field, and by z along the normal"},
     ShapeCommandInfo{Verb::go_straight, "G", Text::none, 1, 3, "G(x, y, z)",
                      "the same along a straight line of the surface, a geodesic"},
-    ShapeCommandInfo{Verb::size, "S", Text::none, 1, 3, "S(x, y, z)",
-                     "the scope's size; one number is all three"},
+    ShapeCommandInfo{Verb::size, "S", Text::none, 1, 3, "S(x, y, z)", "the scope's size; one number is all three"},
     ShapeCommandInfo{Verb::turn_x, "Rx", Text::none, 1, 1, "Rx(degrees)", "turn about the scope's X axis"},
     ShapeCommandInfo{Verb::turn_y, "Ry", Text::none, 1, 1, "Ry(degrees)", "turn about the scope's Y axis"},
     ShapeCommandInfo{Verb::turn_z, "Rz", Text::none, 1, 1, "Rz(degrees)",
@@ -75,9 +74,7 @@ std::optional<std::string> wrong_arguments(const ShapeCommandInfo& info, const S
     return wrong(one_or_three ? "1 or 3 numbers" : range, std::to_string(found));
 }
 
-bool is_statement_word(std::string_view word) {
-    return std::ranges::find(statement_words, word) != statement_words.end();
-}
+bool is_statement_word(std::string_view word) { return std::ranges::find(statement_words, word) != statement_words.end(); }
 
 bool is_reserved_word(std::string_view word) { return find_shape_command(word) != nullptr || is_statement_word(word); }
 

@@ -54,12 +54,12 @@ struct CompiledShapeGrammar {
     std::vector<ShapeSymbol> symbols;
     std::vector<CompiledShapeRule> rules;  ///< as in the grammar
     std::vector<CompiledShapeAxiom> axioms;
-    DrawKey root = 0;                 ///< of the seed; an axiom's key is key_of_child(root, its index)
-    int slots = 0, stack_size = 0;    ///< that an evaluation needs at most
+    DrawKey root = 0;               ///< of the seed; an axiom's key is key_of_child(root, its index)
+    int slots = 0, stack_size = 0;  ///< that an evaluation needs at most
 };
 
-/// Throws InputError at the first mistake that check_shape_grammar() would name: unknown symbols, shapes, fields, queries and
-/// names, wrong numbers of arguments, params that are not finite.
+/// Throws InputError at the first mistake that check_shape_grammar() would name: unknown symbols, shapes, fields, queries
+/// and names, wrong numbers of arguments, params that are not finite.
 CompiledShapeGrammar compile_shape_grammar(const ShapeGrammar& grammar, const ShapeGrammarSetting& setting = {});
 
 /// All mistakes are kept instead; what has one is left out.
@@ -77,8 +77,8 @@ class ShapeEvaluator {
   public:
     explicit ShapeEvaluator(const CompiledShapeGrammar& grammar);
 
-    /// `parameters` are the arguments of the rule's symbol, `key` is that symbol's. Throws InputError, with the expression and
-    /// its place, if the result is not finite.
+    /// `parameters` are the arguments of the rule's symbol, `key` is that symbol's. Throws InputError, with the expression
+    /// and its place, if the result is not finite.
     double number(const ShapeProgram& program, std::span<const double> parameters, DrawKey key, QuerySource& queries) {
         return program.constant ? program.value : finite(program, parameters, key, queries);
     }

@@ -34,9 +34,8 @@ class HintFinder {
         hint_unreached();
         hint_endless();
         hint_unused();
-        std::ranges::stable_sort(hints_, {}, [](const Warning& hint) {
-            return std::tuple(hint.place.line, hint.place.column);
-        });
+        std::ranges::stable_sort(hints_, {},
+                                 [](const Warning& hint) { return std::tuple(hint.place.line, hint.place.column); });
         return std::move(hints_);
     }
 
@@ -53,7 +52,8 @@ class HintFinder {
     void find_reached() {
         std::vector<int> waiting;
         const auto reach = [&](const CompiledShapeCommand& command) {
-            if (command.verb == ShapeVerb::symbol && reached_.insert(command.symbol).second) waiting.push_back(command.symbol);
+            if (command.verb == ShapeVerb::symbol && reached_.insert(command.symbol).second)
+                waiting.push_back(command.symbol);
         };
         for (const CompiledShapeAxiom& axiom : compiled_.axioms) visit_all(axiom.commands, reach);
         while (!waiting.empty()) {
@@ -139,8 +139,7 @@ class HintFinder {
         }
         const std::set<std::string> names = names_in_use();
         for (const ShapeParam& param : grammar_.params)
-            if (!names.contains(param.name))
-                hints_.push_back({param.place, "the param '" + param.name + "' is never used"});
+            if (!names.contains(param.name)) hints_.push_back({param.place, "the param '" + param.name + "' is never used"});
     }
 
     std::set<std::string> names_in_use() const {

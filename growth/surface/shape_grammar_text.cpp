@@ -43,8 +43,7 @@ std::string group_text(const ShapeCommand& command, std::string_view word) {
 std::string command_text(const ShapeCommand& command) {
     if (command.verb == ShapeVerb::push) return "[";
     if (command.verb == ShapeVerb::pop) return "]";
-    std::string text =
-        command.verb == ShapeVerb::symbol ? command.name : std::string(shape_command(command.verb).word);
+    std::string text = command.verb == ShapeVerb::symbol ? command.name : std::string(shape_command(command.verb).word);
     if (!command.groups.empty()) return group_text(command, text);
     if (command.arguments.empty() && !command.has_text) return text;
     text += '(';
@@ -107,8 +106,7 @@ std::string operand_text(const Expression& expression) {
 std::string commands_text(const std::vector<ShapeCommand>& commands) {
     std::string text;
     for (std::size_t i = 0; i < commands.size(); ++i) {
-        const bool close =
-            i == 0 || commands[i - 1].verb == ShapeVerb::push || commands[i].verb == ShapeVerb::pop;
+        const bool close = i == 0 || commands[i - 1].verb == ShapeVerb::push || commands[i].verb == ShapeVerb::pop;
         if (!close) text += ' ';
         text += command_text(commands[i]);
     }

@@ -55,7 +55,8 @@ void ShapeNames::expect_known(const Expression& expression, const std::vector<st
         if (scope_.constants.contains(node.name) || named_constant(node.name)) continue;
         if (!looks_like_query(node.name)) fail_unknown(node.name, parameters, place);
         if (!with_queries)
-            throw InputError(place, "expected numbers and params, found '" + node.name + "', which is known at a scope only");
+            throw InputError(place,
+                             "expected numbers and params, found '" + node.name + "', which is known at a scope only");
     }
 }
 

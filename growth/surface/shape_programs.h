@@ -33,8 +33,8 @@ struct ShapeProgram {
 /// The names that the expressions of a grammar share: params and what is known of the surface.
 class ShapeNames {
   public:
-    /// Evaluates the params, in order, with the draws of the seed. What cannot be evaluated is kept in `mistakes`, and has the
-    /// value 1.
+    /// Evaluates the params, in order, with the draws of the seed. What cannot be evaluated is kept in `mistakes`, and has
+    /// the value 1.
     ShapeNames(const ShapeGrammar& grammar, const ShapeGrammarSetting& setting, std::vector<Warning>& mistakes);
 
     /// Throws InputError at `place` for unknown names and queries. Draws get salts below `salt`.

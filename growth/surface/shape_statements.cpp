@@ -136,14 +136,23 @@ class ShapeSplitter {
 
     void follow_brackets(std::string_view content) {
         bool in_text = false;
+        std::size_t text_start = 0;
         for (std::size_t i = 0; i < content.size(); ++i) {
             const char c = content[i];
-            if (c == '"') in_text = !in_text;
+            if (c == '"') {
+                in_text = !in_text;
+                text_start = i;
+            }
             if (in_text) continue;
             if (c == '(' || c == '[' || c == '{') open_.push_back({c, {file_name_, line_number_, static_cast<int>(i) + 1}});
             // a bracket that closes none, or another kind, is for the parser to name
             if ((c == ')' || c == ']' || c == '}') && !open_.empty()) open_.pop_back();
         }
+        if (!in_text) return;
+        result_.statements.pop_back();
+        open_.clear();
+        result_.faults.push_back({{file_name_, line_number_, static_cast<int>(text_start) + 1},
+                                  "expected a closing quotation mark for this one, found the end of the line"});
     }
 };
 

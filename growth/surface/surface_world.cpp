@@ -25,13 +25,16 @@ PlanePiece plane_piece(const ShapeGrammar& grammar) {
     PlanePiece piece;
     const auto option = grammar.options.find("plane");
     if (option == grammar.options.end()) return piece;
+    const ShapeSource& source = option->second;
+    if (!source.numbers.contains("value"))
+        throw InputError(source.place,
+                         "expected the plane's width, as in option plane = 2 height = 1, found '" + source.text + "'");
     constexpr double largest = 1e6, finest = 2000;
-    const SettingValues values =
-        setting_values(option->second, evaluated_numbers(option->second, grammar, {}),
-                       {{"value", piece.width, 1 / largest, largest},
-                        {"height", 0, 0, largest},
-                        {"cells", static_cast<double>(piece.cells), 1, finest, true}},
-                       {});
+    const SettingValues values = setting_values(source, evaluated_numbers(source, grammar, {}),
+                                                {{"value", piece.width, 1 / largest, largest},
+                                                 {"height", 0, 0, largest},
+                                                 {"cells", static_cast<double>(piece.cells), 1, finest, true}},
+                                                {});
     piece.width = values.number("value");
     piece.height = values.number("height") > 0 ? values.number("height") : piece.width;
     piece.cells = values.whole("cells");
@@ -45,8 +48,8 @@ TriangleMesh plane_mesh(const PlanePiece& piece) {
     TriangleMesh mesh;
     for (int j = 0; j <= rows; ++j)
         for (int i = 0; i <= columns; ++i)
-            mesh.positions.push_back(
-                {piece.width * (static_cast<double>(i) / columns - 0.5), piece.height * (static_cast<double>(j) / rows - 0.5), 0});
+            mesh.positions.push_back({piece.width * (static_cast<double>(i) / columns - 0.5),
+                                      piece.height * (static_cast<double>(j) / rows - 0.5), 0});
     const auto corner = [columns](int i, int j) { return j * (columns + 1) + i; };
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {

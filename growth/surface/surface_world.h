@@ -39,8 +39,8 @@ PlanePiece plane_piece(const ShapeGrammar& grammar);
 /// z = 0, facing +z.
 TriangleMesh plane_mesh(const PlanePiece& piece);
 
-/// The grammar's fields and shapes on a surface, or without one on a piece of the plane. Files are read by the names that the
-/// grammar gives them. Throws InputError with the place of the source or of the file.
+/// The grammar's fields and shapes on a surface, or without one on a piece of the plane. Files are read by the names that
+/// the grammar gives them. Throws InputError with the place of the source or of the file.
 SurfaceWorld make_world(const ShapeGrammar& grammar, std::shared_ptr<const SurfaceMesh> surface,
                         const ReadNamedFile& read_file, std::uint64_t seed = 1, const Progress& progress = {});
 

@@ -30,9 +30,7 @@ struct GrowFolder {
         put("square.obj", square);
     }
     void put(const std::string& name, const std::string& text) const { write_file(scratch.file(name), text); }
-    ProgramRun run(std::vector<std::string> words) const {
-        return run_rinceau(words, {.folder = scratch.path()});
-    }
+    ProgramRun run(std::vector<std::string> words) const { return run_rinceau(words, {.folder = scratch.path()}); }
     std::string text(const std::string& name) const { return read_file(scratch.file(name)); }
     bool has(const std::string& name) const { return std::filesystem::exists(scratch.file(name)); }
     /// The message of a run that fails with that status and writes nothing.
@@ -101,8 +99,8 @@ TEST_CASE("rules without an end stop at a limit: status 3, and what stands is wr
     const std::string message = folder.refused({"grow", "endless.fgsg", "--max-shapes", "2000"}, 3);
     CHECK(holds(message, "--keep-partial"));
     folder.refused({"grow", "endless.fgsg", "--seconds", "0.05"}, 3);
-    const ProgramRun kept = folder.run({"grow", "endless.fgsg", "--max-shapes", "2000", "--keep-partial", "-o", "part.glb",
-                                        "--report", "part.json"});
+    const ProgramRun kept = folder.run(
+        {"grow", "endless.fgsg", "--max-shapes", "2000", "--keep-partial", "-o", "part.glb", "--report", "part.json"});
     CHECK(kept.status == 3);
     CHECK(folder.text("part.glb").starts_with("glTF"));
     CHECK(nlohmann::json::parse(folder.text("part.json"))["complete"] == false);
@@ -111,9 +109,8 @@ TEST_CASE("rules without an end stop at a limit: status 3, and what stands is wr
 TEST_CASE("Ctrl-C leaves no file behind") {
     const GrowFolder folder;
     const auto before = folder.scratch.names();
-    const ProgramRun stopped =
-        run_rinceau({"grow", "endless.fgsg", "--max-shapes", "50000000", "-o", "a.obj"},
-                    {.folder = folder.scratch.path(), .interrupt_after_ms = 300});
+    const ProgramRun stopped = run_rinceau({"grow", "endless.fgsg", "--max-shapes", "50000000", "-o", "a.obj"},
+                                           {.folder = folder.scratch.path(), .interrupt_after_ms = 300});
     CHECK(stopped.signal != 0);
     CHECK(folder.scratch.names() == before);
 }

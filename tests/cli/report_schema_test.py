@@ -52,7 +52,7 @@ def grow_faults(program, source):
     faults = []
     with tempfile.TemporaryDirectory() as folder:
         for words in (["samples/surface/tiles.fgsg", "--on", "samples/surface/torus.obj"],
-                      ["samples/lone_flower.lsys", "--on", "samples/surface/torus.obj"]):
+                      ["samples/flower.lsys", "--on", "samples/surface/torus.obj"]):
             name = pathlib.Path(folder) / "report.json"
             subprocess.run([program, "grow", *words, "-o", str(pathlib.Path(folder) / "out.glb"), "--report", str(name)],
                            check=True, capture_output=True, cwd=source)

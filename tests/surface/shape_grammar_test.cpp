@@ -99,7 +99,8 @@ TEST_CASE("a rule goes on in the next line while a bracket is open") {
 }
 
 TEST_CASE("a word that names a param is its value") {
-    const ShapeGrammar grammar = parse_shape_grammar("param h = 2\nshape a = box height = h collide = disc\noption touch = h");
+    const ShapeGrammar grammar =
+        parse_shape_grammar("param h = 2\nshape a = box height = h collide = disc\noption touch = h");
     CHECK(grammar.shapes[0].numbers.at("height") == name_expression("h"));
     CHECK(grammar.shapes[0].words.at("collide") == "disc");
     CHECK(grammar.options.at("touch").numbers.at("value") == name_expression("h"));
@@ -112,8 +113,7 @@ TEST_CASE("mistakes of form are named with line, column, what was expected and w
     CHECK(mistake_in("A ~ T(1, 2, 3, 4)") == "1:5 expected 1 to 3 numbers for T(x, y, z), found 4");
     CHECK(mistake_in("A ~ I(leaf)") == "1:5 expected a text in quotation marks for I(\"shape\"), found none");
     CHECK(mistake_in("A ~ T(1+, 2)") == "1:9 expected a number, a name or '(', found ','");
-    CHECK(mistake_in("A ~ T(frob(2))") ==
-          "1:7 expected a function such as sin, sqrt or min, found 'frob'");
+    CHECK(mistake_in("A ~ T(frob(2))") == "1:7 expected a function such as sin, sqrt or min, found 'frob'");
     CHECK(mistake_in("A B") == "1:3 expected ':' or '~' behind the symbol, found 'B'");
     CHECK(mistake_in("A : 1 < 2 B") == "1:11 expected '~' behind the condition, found 'B'");
     CHECK(mistake_in("T ~ A") == "1:1 expected a symbol of your own before ~, found the word 'T'");
@@ -124,7 +124,7 @@ TEST_CASE("mistakes of form are named with line, column, what was expected and w
     CHECK(mistake_in("A ~ {B}") == "1:5 expected Lock or Chart before a '{', found '{'");
     CHECK(mistake_in("A ~ B @ x") == "1:9 expected a number, found 'x'");
     CHECK(mistake_in("A(n, n) ~ B") == "1:6 expected another name, found the parameter 'n' twice");
-    CHECK(mistake_in("A ~ I(\"x)") == "1:7 expected a closing quotation mark for this one, found '\"'");
+    CHECK(mistake_in("A ~ I(\"x)") == "1:7 expected a closing quotation mark for this one, found the end of the line");
 }
 
 TEST_CASE("reading goes on behind a mistake") {
