@@ -13,11 +13,13 @@
 #include "growth/surface/field_elements.h"
 #include "growth/surface/field_smooth.h"
 #include "growth/surface/surface_read.h"
+#include "growth/surface/surface_world.h"
 
 namespace rinceau {
 namespace {
 
 SurfaceMesh read_surface_of(const FieldVerbOptions& options, std::vector<std::string>& warnings) {
+    if (options.size) return surface_mesh(plane_mesh({.width = options.size->x, .height = options.size->y}));
     SurfaceReading reading =
         read_surface(read_input(options.surface), input_label(options.surface), {.repair = options.repair, .mesh = {}});
     say_warnings(reading.warnings);

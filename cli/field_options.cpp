@@ -203,7 +203,19 @@ void add_outputs(CLI::App& verb, FieldVerbOptions& options) {
 }  // namespace
 
 void add_field_options(CLI::App& verb, FieldVerbOptions& options) {
-    verb.add_option("MESH", options.surface, "The surface (.obj, .off, .ply)")->required()->type_name("FILE");
+    verb.add_option("MESH", options.surface, "The surface (.obj, .off, .ply)")->type_name("FILE");
+    verb.add_option_function<std::string>(
+            "--size",
+            [&options](const std::string& text) {
+                const std::string expected = "a width and a height above 0, W,H";
+                const std::vector<std::string> parts = parse_list("--size", text);
+                if (parts.size() != 2) fail("--size", "expected " + expected + ", found '" + text + "'");
+                const Point size{parse_number("--size", expected, parts[0]), parse_number("--size", expected, parts[1])};
+                if (!(size.x > 0 && size.y > 0)) fail("--size", "expected " + expected + ", found '" + text + "'");
+                options.size = size;
+            },
+            "Instead of a surface, a piece of the plane about the origin")
+        ->type_name("W,H");
     verb.add_flag("--repair", options.repair,
                   "Cut the surface apart where more than two faces meet, and turn faces that turn against their neighbours");
     add_sources(verb, options);
@@ -212,6 +224,8 @@ void add_field_options(CLI::App& verb, FieldVerbOptions& options) {
 }
 
 void expect_field_options(const FieldVerbOptions& options) {
+    if (options.surface.empty() != options.size.has_value())
+        throw CLI::ValidationError("MESH", "expected a surface, or --size for a piece of the plane, and not both");
     const std::size_t sources = options.sources.size() + (options.elements.empty() ? 0 : 1);
     if (sources != 1)
         throw CLI::ValidationError("field", sources == 0

@@ -31,7 +31,8 @@ struct SmoothingRegion {
 };
 
 struct FieldVerbOptions {
-    std::string surface;
+    std::string surface;        ///< name of a mesh; empty = a piece of the plane
+    std::optional<Point> size;  ///< of that piece
     bool repair = false;
 
     std::vector<ElementWord> elements;

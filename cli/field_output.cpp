@@ -88,7 +88,7 @@ void write_field(const FieldOnSurface& field, const FieldVerbOptions& options, c
 std::string field_report(const FieldOnSurface& field, const FieldSummary& summary, const FieldVerbOptions& options) {
     using Json = nlohmann::ordered_json;
     const SurfaceMesh& surface = field.surface();
-    Json json{{"schema", schema_version}, {"input", options.surface}};
+    Json json{{"schema", schema_version}, {"input", options.surface.empty() ? "plane" : options.surface}};
     json["vertices"] = surface.vertices();
     json["faces"] = surface.faces();
     json["border_edges"] = surface.border_edges;
