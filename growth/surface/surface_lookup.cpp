@@ -9,8 +9,6 @@
 #include <limits>
 #include <numeric>
 
-#include "scene/input_error.h"
-
 namespace rinceau {
 namespace {
 
@@ -164,29 +162,6 @@ SurfacePoint SurfaceSampler::sample(Random& random) const {
     const double root = std::sqrt(random.uniform()), share = random.uniform();
     return from_barycentric(*surface_, static_cast<int>(found - area_up_to_.begin()),
                             {1 - root, root * (1 - share), root * share});
-}
-
-TriangleMesh plane_mesh(const Box& box, double step) {
-    constexpr double most = 1e7;
-    const double wide = std::max(1.0, std::ceil(width(box) / step)), high = std::max(1.0, std::ceil(height(box) / step));
-    if (!((wide + 1) * (high + 1) <= most))
-        throw LimitError({}, "the plane would have more than ten million vertices; take a larger step");
-    const int columns = static_cast<int>(wide), rows = static_cast<int>(high);
-    TriangleMesh mesh;
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i)
-            mesh.positions.push_back({box.low.x + width(box) * i / columns, box.low.y + height(box) * j / rows, 0});
-    const auto id = [columns](int i, int j) { return j * (columns + 1) + i; };
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const int a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
-            if ((i + j) % 2 == 0) {
-                mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
-            } else {
-                mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
-            }
-        }
-    return mesh;
 }
 
 }  // namespace rinceau

@@ -1,9 +1,8 @@
 #pragma once
-// Finding places on a surface: the nearest one to a place in space, random ones; and pieces of the plane as surfaces.
+// Finding places on a surface: the nearest one to a place in space, and random ones.
 
 #include <vector>
 
-#include "geometry/box.h"
 #include "geometry/random.h"
 #include "growth/surface/surface_point.h"
 
@@ -54,9 +53,5 @@ class SurfaceSampler {
     const SurfaceMesh* surface_;
     std::vector<double> area_up_to_;  ///< by face: its area and that of all before it
 };
-
-/// A piece of the plane z = 0 as a mesh of squares, at most `step` (> 0) wide and high, each cut in two by one diagonal and
-/// its neighbours by the other one. The box has an area. Throws LimitError for more than ten million vertices.
-TriangleMesh plane_mesh(const Box& box, double step);
 
 }  // namespace rinceau

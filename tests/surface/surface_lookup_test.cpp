@@ -2,8 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "growth/surface/mesh_faults.h"
-#include "scene/input_error.h"
 #include "surface_shapes.h"
 
 using namespace rinceau;
@@ -51,21 +49,4 @@ TEST_CASE("Samples by the table are those of the walk over all faces, and even o
     }
     // Pappus: the outer half of a torus has the share 1/2 + small / (pi large); of the mesh a little less.
     CHECK(outside / double(count) == Approx(0.5 + 0.7 / (pi * 2)).margin(0.015));
-}
-
-TEST_CASE("A plane's mesh fills its box with squares no larger than the step") {
-    const Box box{{-1, 2}, {2.5, 4}};
-    const TriangleMesh mesh = plane_mesh(box, 0.3);
-    CHECK(mesh.positions.size() == 13 * 8);
-    CHECK(mesh_faults(mesh).empty());
-    const SurfaceMesh surface = surface_mesh(mesh);
-    CHECK(surface.area == Approx(7));
-    CHECK(surface.border_edges == 2 * (12 + 7));
-    CHECK(surface.longest_edge <= 0.3 * std::sqrt(2.0));
-    const auto [low, high] = bounds(mesh);
-    CHECK(low == SpacePoint{-1, 2, 0});
-    CHECK(high == SpacePoint{2.5, 4, 0});
-    for (const auto& frame : surface.frame) CHECK(frame[2].z == Approx(1));
-    CHECK(plane_mesh(box, 100).triangles.size() == 2);
-    CHECK_THROWS_AS(plane_mesh(box, 1e-9), LimitError);
 }
