@@ -218,7 +218,7 @@ Complex root_near(Complex z, int n, Complex near) {
     for (int order = 1; order < n; order *= 2) root = square_root(root);
     if (n == 4 && std::abs(cross(root, near)) > std::abs(dot(root, near))) root = Complex{-root.y, root.x};
     if (n > 1 && dot(root, near) < 0) root = -root;
-    return root / abs(root);
+    return root;
 }
 
 }  // namespace rinceau

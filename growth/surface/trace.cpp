@@ -57,7 +57,13 @@ class Walk {
   public:
     Walk(const SurfaceMesh& surface, const FieldOnSurface* field, SurfacePoint start, Complex direction, double length,
          const TraceOptions& options)
-        : surface_(surface), field_(field), options_(options), at_(start), direction_(direction), rest_(length) {
+        : surface_(surface),
+          field_(field),
+          options_(options),
+          at_(start),
+          direction_(direction),
+          rest_(length),
+          most_turn_(std::cos(radians(options.turn))) {
         budget_ = least_budget + static_cast<long>(pieces_of_edge * std::min(length / surface.mean_edge, most_edges));
         cautious_until_ = budget_ / 2;
         keep(start);
@@ -94,6 +100,7 @@ class Walk {
     Complex direction_;
     Complex axis_, relative_;  ///< with a field
     double rest_;
+    double most_turn_;         ///< cosine
     long budget_ = 0;          ///< of pieces
     long cautious_until_ = 0;  ///< with less left, steps do not shrink any more
 };
@@ -190,12 +197,11 @@ void Walk::step_along_field(double most) {
     if (foreseen.distance <= 0) return cross_edge(foreseen.half_edge);
     bool to_edge = foreseen.distance <= most;
     double reach = to_edge ? foreseen.distance : most;
-    const double most_turn = std::cos(radians(options_.turn));
     Complex axis, piece;
     for (int halvings = 0;; ++halvings) {
         axis = axis_at({at_.face, at_.at + reach / 2 * direction_}, axis_);
         piece = axis * relative_;
-        if (dot(piece, direction_) >= most_turn || halvings == most_halvings || !cautious()) break;
+        if (dot(piece, direction_) >= most_turn_ || halvings == most_halvings || !cautious()) break;
         reach /= 2;
         to_edge = false;
     }
