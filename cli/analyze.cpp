@@ -76,6 +76,7 @@ int run_analyze(const AnalyzeVerbOptions& options) {
 
     const auto start = Clock::now();
     const std::string label = input_label(options.input);
+    expect_no_shape_grammar(options.input);
     const SvgReadResult drawing = read_svg(read_input(options.input), {.file_name = label});
     ReportContext context{.input = options.input, .warnings = drawing.warnings, .import_seconds = seconds_since(start)};
     say_warnings(drawing.warnings);

@@ -99,7 +99,8 @@ void add_output_options(CLI::App& verb, GrowVerbOptions& options) {
                 if (std::abs(numbers[1]) > straight) fail("--view", "expected " + expected + ", found '" + text + "'");
                 options.view = {numbers[0], numbers[1]};
             },
-            "Where a picture is seen from: so far round the up axis from the front, and so far above (30,20)")
+            "Where a picture is seen from: so far round the up axis from the front, and so far above; without it, from where "
+            "the pattern faces")
         ->type_name("TURN,ELEVATION");
     verb.add_option("--width", options.width, "Width of a .png in pixels")
         ->check(CLI::Range(1, widest_png))

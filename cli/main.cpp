@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
     add_replace(program, job);
     add_arrange(program, job);
     add_pack(program, job);
+    add_field(program, job);
     add_grow(program, job);
     add_edit(program, job);
     add_inkscape(program, job);

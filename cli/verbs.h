@@ -24,6 +24,7 @@ void add_normalize(CLI::App& program, Job& job);
 void add_replace(CLI::App& program, Job& job);
 void add_arrange(CLI::App& program, Job& job);
 void add_pack(CLI::App& program, Job& job);
+void add_field(CLI::App& program, Job& job);
 void add_grow(CLI::App& program, Job& job);
 void add_edit(CLI::App& program, Job& job);
 void add_inkscape(CLI::App& program, Job& job);

@@ -55,6 +55,7 @@ std::string read_all(int descriptor, const std::string& label) {
 }
 
 Grammar parse_as_written(const std::string& name, const std::string& text) {
+    expect_no_shape_grammar(name);
     return looks_like_json(text) ? parse_json_grammar(text, input_label(name)) : parse_grammar(text, input_label(name));
 }
 
@@ -68,6 +69,13 @@ std::string read_input(const std::string& name) {
     const Descriptor file(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.number() < 0) throw InputError({label}, "cannot be read: " + reason(errno));
     return read_all(file.number(), label);
+}
+
+void expect_no_shape_grammar(const std::string& name) {
+    if (std::filesystem::path(name).extension() != ".fgsg") return;
+    throw InputError({input_label(name)},
+                     "expected a drawing or an L-system, found a shape grammar by its ending: 'rinceau grow' grows and draws "
+                     "it, 'rinceau check' checks it");
 }
 
 bool looks_like_drawing(std::string_view bytes) {

@@ -15,6 +15,9 @@ std::string input_label(const std::string& name);
 /// than any drawing that can be analysed.
 std::string read_input(const std::string& name);
 
+/// Throws InputError for the name of a shape grammar (.fgsg), which has verbs of its own.
+void expect_no_shape_grammar(const std::string& name);
+
 /// Are these the bytes of a drawing (SVG, or packed SVG), and not those of a grammar?
 bool looks_like_drawing(std::string_view bytes);
 

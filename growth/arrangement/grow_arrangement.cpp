@@ -122,6 +122,7 @@ bool Growing::place_seed(int seed) {
     const auto place = [&](const ReferenceMatch& match) {
         const Point wanted = fitted_position(arrangement_, ground_, seed, ring, match);
         const Point inside = pushed_inside(ground_, match.reference, match.angle, wanted);
+        if (inside != wanted && is_crowded(arrangement_, ground_, seed, match.reference, inside)) return false;
         const std::optional<Point> free = free_position(arrangement_, ground_, {match.reference, inside, match.angle}, seed);
         if (!free) return false;
         const Point at = *free;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double clearance = 1e-3;  // of a mean edge: what only touches counts as cut
 constexpr int push_rounds = 4;      // one for each line of a corner, and again
+constexpr double crowded = 0.85;    // of the least distance of two kinds, as where seeds are set
 
 }  // namespace
 
@@ -43,13 +44,28 @@ Point pushed_inside(const GrowthGround& ground, int reference, double angle, Poi
     return at;
 }
 
+bool is_crowded(const ElementArrangement& arrangement, const GrowthGround& ground, int node, int reference, Point to) {
+    if (ground.options.mode != RotationMode::flow || ground.exclusive) return false;
+    const ArrangementNode& pushed = arrangement.nodes[static_cast<std::size_t>(node)];
+    const int symbol = ground.exemplar.elements[static_cast<std::size_t>(reference)].symbol;
+    bool found = false;
+    arrangement.grid.visit(to, crowded * ground.reach, [&](int other, Point position) {
+        const ArrangementNode& beside = arrangement.nodes[static_cast<std::size_t>(other)];
+        if (found || other == node || !is_element(beside)) return;
+        const double distance = abs(position - to);
+        if (is_element(pushed) && distance >= abs(position - pushed.position)) return;
+        found = distance < crowded * least_distance(ground, symbol, beside.symbol);
+    });
+    return found;
+}
+
 void push_inside(ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<int>& nodes) {
     if (ground.around.boundary == nullptr || ground.around.boundary->is_empty() || ground.rigid) return;
     for (const int index : nodes) {
         const ArrangementNode& node = arrangement.nodes[static_cast<std::size_t>(index)];
         if (!is_element(node) || node.held) continue;
         const Point to = pushed_inside(ground, node.reference, node.angle, node.position);
-        if (to == node.position) continue;
+        if (to == node.position || is_crowded(arrangement, ground, index, node.reference, to)) continue;
         // From outside the region the way in leads over its line.
         const Boundary& boundary = *ground.around.boundary;
         if (boundary.allows(node.position) ? !is_barred(ground, node.position, to) : boundary.allows(to))

@@ -12,7 +12,12 @@ bool is_cut(const GrowthGround& ground, int reference, double angle, Point at);
 /// a few times over. In a corner that is too narrow it still reaches over one of them afterwards.
 Point pushed_inside(const GrowthGround& ground, int reference, double angle, Point at);
 
-/// Moves elements among the nodes off the lines; no move leads over a line.
+/// Would a push that leads there crowd the element: nearer to another one than the exemplar has them? Asked along a flow,
+/// where outlines may overlap: nothing else keeps elements that a wall turns back from piling up. `node` itself does not
+/// count; nor, if it is an element, those that it is no nearer to than it was.
+bool is_crowded(const ElementArrangement& arrangement, const GrowthGround& ground, int node, int reference, Point to);
+
+/// Moves elements among the nodes off the lines; no move leads over a line, or crowds.
 void push_inside(ElementArrangement& arrangement, const GrowthGround& ground, const std::vector<int>& nodes);
 
 }  // namespace rinceau

@@ -40,7 +40,7 @@ std::vector<int> numbers_in(const std::vector<Named>& world, const std::vector<S
 }
 
 const FieldOnSurface* guide_of(const SurfaceWorld& world, const ShapeGrammar& grammar, const std::string& name) {
-    if (name == "none" || world.fields.empty()) return nullptr;
+    if (name == "none" || (name.empty() && world.fields.empty())) return nullptr;
     if (name.empty()) return world.fields.front().field.get();
     const auto found = std::ranges::find(world.fields, name, &WorldField::name);
     if (found != world.fields.end()) return found->field.get();

@@ -10,7 +10,8 @@ namespace rinceau {
 
 namespace {
 
-constexpr double own_reach = 3;  // widths behind its end within which a line does not meet itself
+constexpr double same_place = 1e-9;  // of the diagonal
+constexpr double own_reach = 3;      // widths behind its end within which a line does not meet itself
 
 /// The point of a face that is nearest to the foot of p's perpendicular.
 SurfacePoint foot_in_face(const SurfaceMesh& surface, int face, SpacePoint p) {
@@ -41,19 +42,23 @@ void GrownLines::append(PatternLine& line, SurfacePoint at, SpacePoint point, do
     ++points_;
 }
 
+bool GrownLines::stands_at_end(const ShapeScope& scope, SpacePoint position) const {
+    if (scope.line < 0) return false;
+    const PatternLine& line = lines_[static_cast<std::size_t>(scope.line)];
+    return scope.line_points == static_cast<int>(line.points.size()) &&
+           abs(line.points.back() - position) <= same_place * surface_->diagonal;
+}
+
 PatternLine& GrownLines::line_of(ShapeScope& scope, SurfacePoint start, const LinePen& pen) {
-    const bool goes_on =
-        scope.line >= 0 && scope.line_points == static_cast<int>(lines_[static_cast<std::size_t>(scope.line)].points.size());
-    if (!goes_on) {
+    const SpacePoint position = position_in_space(*surface_, start);
+    if (!stands_at_end(scope, position)) {
         scope.line = static_cast<int>(lines_.size());
         lines_.push_back({});
         lines_.back().color = pen.color;
-        append(lines_.back(), start, position_in_space(*surface_, start), pen.width);
+        append(lines_.back(), start, position, pen.width);
     }
     PatternLine& line = lines_[static_cast<std::size_t>(scope.line)];
-    const auto index = static_cast<std::size_t>(scope.line);
-    if (in_set_ && index < lines_before_ && std::ranges::find(changed_, scope.line, &SetLine::line) == changed_.end())
-        changed_.push_back({scope.line, line.points.size(), line.segments, line.at.back()});
+    remember(scope.line);
     return line;
 }
 
@@ -96,13 +101,23 @@ bool GrownLines::draw(ShapeScope& scope, const std::vector<SurfacePoint>& path, 
     return true;
 }
 
-void GrownLines::end_at(ShapeScope& scope, SurfacePoint place) {
-    if (scope.line < 0) return;
-    PatternLine& line = lines_[static_cast<std::size_t>(scope.line)];
-    if (scope.line_points != static_cast<int>(line.points.size())) return;
+void GrownLines::remember(int index) {
+    const bool from_before = in_set_ && static_cast<std::size_t>(index) < lines_before_;
+    if (!from_before || std::ranges::find(changed_, index, &SetLine::line) != changed_.end()) return;
+    const PatternLine& line = lines_[static_cast<std::size_t>(index)];
+    changed_.push_back({index, line.points.size(), line.segments, line.at.back()});
+}
+
+void GrownLines::move_end(PatternLine& line, SurfacePoint place) {
     line.points.back() = position_in_space(*surface_, place);
     line.normals.back() = normal_at(*surface_, place);
     line.at.back() = place;
+}
+
+void GrownLines::end_at(const ShapeScope& scope, SurfacePoint place) {
+    if (!stands_at_end(scope, position_in_space(*surface_, scope.at))) return;
+    remember(scope.line);
+    move_end(lines_[static_cast<std::size_t>(scope.line)], place);
 }
 
 void GrownLines::begin_set() {
@@ -128,10 +143,7 @@ void GrownLines::drop_set() {
         line.at.resize(before.points);
         line.segments = before.segments;
         line.merged = false;
-        ShapeScope at_end;
-        at_end.line = before.line;
-        at_end.line_points = static_cast<int>(before.points);
-        end_at(at_end, before.last);
+        move_end(line, before.last);
     }
     in_set_ = false;
     waiting_.clear();

@@ -27,7 +27,7 @@ class GrownLines {
     bool draw(ShapeScope& scope, const std::vector<SurfacePoint>& path, const LinePen& pen);
 
     /// Moves the end of the scope's line, if the scope stands there, to another place near it.
-    void end_at(ShapeScope& scope, SurfacePoint place);
+    void end_at(const ShapeScope& scope, SurfacePoint place);
 
     const std::vector<PatternLine>& lines() const { return lines_; }
     long points() const { return points_; }
@@ -58,6 +58,10 @@ class GrownLines {
     std::vector<SetLine> changed_;  ///< lines from before the set, as they were
     std::vector<Piece> waiting_;
 
+    bool stands_at_end(const ShapeScope& scope, SpacePoint position) const;
+    /// How a line from before the set was, the first time that the set changes it.
+    void remember(int index);
+    void move_end(PatternLine& line, SurfacePoint place);
     PatternLine& line_of(ShapeScope& scope, SurfacePoint start, const LinePen& pen);
     void append(PatternLine& line, SurfacePoint at, SpacePoint point, double width);
     int own_neighbours(const PatternLine& line, double width) const;

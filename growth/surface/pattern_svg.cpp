@@ -116,7 +116,7 @@ class PatternDrawing {
         const SpacePoint x = scale_ * shape.size.x * shape.axes[0], y = scale_ * shape.size.y * shape.axes[1];
         const SpacePoint p = scale_ * shape.position;
         // SVG's y points down: so do the outline's own and what it is mapped to
-        text_ += "<use href=\"#s" + std::to_string(shape.shape) + "\" fill=\"" + svg_color_text(shape.color) +
+        text_ += "<use xlink:href=\"#s" + std::to_string(shape.shape) + "\" fill=\"" + svg_color_text(shape.color) +
                  "\" transform=\"matrix(" + numbers({x.x, -x.y, -y.x, y.y, p.x, -p.y}) + ")\"/>\n";
     }
 

@@ -27,7 +27,10 @@ constexpr double edge_ends = 1e-12;     // of an edge: crossings stay so far fro
 constexpr double parallel = 1e-12;      // a way that leaves an edge by less, per length, runs along it
 constexpr double longer_to_edge = 1.5;  // the piece that ends on an edge may be so much longer than foreseen
 constexpr double no_way = 1e-9;         // a piece shorter than this share of the foreseen one makes no way
-constexpr int least_substeps = 4;       // of a move that follows the field in part
+// bound of the work; usual walks have 3 to 5 pieces for each mean edge of their length
+constexpr long least_budget = 2000;
+constexpr double pieces_of_edge = 100, most_edges = 2000;
+constexpr int least_substeps = 4;  // of a move that follows the field in part
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -55,7 +58,7 @@ class Walk {
     Walk(const SurfaceMesh& surface, const FieldOnSurface* field, SurfacePoint start, Complex direction, double length,
          const TraceOptions& options)
         : surface_(surface), field_(field), options_(options), at_(start), direction_(direction), rest_(length) {
-        budget_ = 2000 + 400 * static_cast<long>(std::min(length / surface.mean_edge, 1e6));
+        budget_ = least_budget + static_cast<long>(pieces_of_edge * std::min(length / surface.mean_edge, most_edges));
         cautious_until_ = budget_ / 2;
         keep(start);
     }
@@ -78,6 +81,7 @@ class Walk {
     Complex axis_at(SurfacePoint p, Complex near) const { return root_near(field_->at(p), field_->n(), near); }
     void step_along_field(double most);
     double slide(int half_edge, double distance, Complex& direction);
+    void leave_vertex(int half_edge);
     void end_piece(Complex piece, Complex axis);
     double step_near_zero(double most);
     void jump(Complex to_zero);
@@ -143,6 +147,32 @@ double Walk::slide(int h, double distance, Complex& direction) {
     return std::abs(after - before);
 }
 
+/// From the end of an edge that the walk has slid along, out into the face that lies ahead by the angles of the vertex's
+/// frame, which are the field's.
+void Walk::leave_vertex(int h) {
+    const Complex edge = edge_vector(surface_, h);
+    const bool at_start = norm(at_.at - surface_.flat[at(at_.face)][at(h % 3)]) < norm(edge) / 4;
+    const double ahead = at_start ? surface_.angle[at(h)] + arg(direction_ * conj(edge))
+                                  : surface_.angle_back[at(h)] + arg(direction_ * conj(-edge));
+    const int v = at_start ? start_of(surface_, h) : end_of(surface_, h), first = surface_.outgoing[at(v)];
+    int out = first;
+    do {
+        const double scale = surface_.angle_scale[at(v)], beyond = wrap_angle(ahead - surface_.angle[at(out)]);
+        const double turn = (beyond < 0 ? beyond + two_pi : beyond) / scale;
+        if (turn <= corner_angle(surface_, out)) {
+            const Complex side = edge_vector(surface_, out), ray = side / abs(side) * polar(1, turn);
+            at_.face = face_of(out);
+            at_.at = surface_.flat[at(at_.face)][at(out % 3)] + edge_ends * abs(side) * ray;
+            direction_ = ray;
+            axis_ = ray * conj(relative_);
+            keep(at_);
+            return;
+        }
+        out = next_about_start(surface_, out);
+    } while (out >= 0 && out != first);
+    walk_.at_border = true;
+}
+
 /// Direction and error at the end of a straight piece; `axis` is that in its middle.
 void Walk::end_piece(Complex piece, Complex axis) {
     const Complex before = direction_;
@@ -173,6 +203,7 @@ void Walk::step_along_field(double most) {
     EdgeAhead ahead = edge_ahead(surface_, at_, piece);
     if (ahead.distance <= no_way * reach && !leaves_over(ahead.half_edge)) {
         reach = slide(ahead.half_edge, reach, piece);
+        if (reach <= edge_ends * surface_.longest_edge) return leave_vertex(ahead.half_edge);
         ahead.distance = std::numeric_limits<double>::infinity();
     }
     const bool arrives = ahead.distance <= reach;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says, those of
-arranging as docs/arrange_report.schema.json and of
-packing as docs/pack_report.schema.json says."""
+arranging as docs/arrange_report.schema.json, of packing as
+docs/pack_report.schema.json and of growing on surfaces as docs/grow_report.schema.json says."""
 
 import json
 import pathlib
@@ -36,12 +36,32 @@ def main(program, source):
     faults += unable_to_refuse(schema, validator, report)
     faults += arrange_faults(program, source)
     faults += pack_faults(program, source)
+    faults += grow_faults(program, source)
     sys.exit("\n".join(faults) or 0)
 
 
 def unable_to_refuse(schema, validator, report):
     return ["the schema lets '%s' be left out" % key for key in schema["required"]
             if validator.is_valid({k: v for k, v in report.items() if k != key})]
+
+
+def grow_faults(program, source):
+    schema = json.loads((source / "docs" / "grow_report.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    faults = []
+    with tempfile.TemporaryDirectory() as folder:
+        for words in (["samples/surface/tiles.fgsg", "--on", "samples/surface/torus.obj"],
+                      ["samples/lone_flower.lsys", "--on", "samples/surface/torus.obj"]):
+            name = pathlib.Path(folder) / "report.json"
+            subprocess.run([program, "grow", *words, "-o", str(pathlib.Path(folder) / "out.glb"), "--report", str(name)],
+                           check=True, capture_output=True, cwd=source)
+            report = json.loads(name.read_text(encoding="utf-8"))
+            faults += ["grow %s: %s" % (words[0], error.message) for error in validator.iter_errors(report)]
+            if report["overlaps"] != 0 or report["faces"] == 0:
+                faults.append("grow %s: shapes overlap, or nothing has grown" % words[0])
+        faults += ["grow %s" % fault for fault in unable_to_refuse(schema, validator, report)]
+    return faults
 
 
 def arrange_faults(program, source):

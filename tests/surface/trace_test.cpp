@@ -286,6 +286,57 @@ TEST_CASE("a walk may begin at a vertex in any direction of its frame") {
     }
 }
 
+TEST_CASE("a walk gets past sharp corners, and round them with a field that runs into them") {
+    TriangleMesh spikes;  // five of them, on a sphere; and as deep dents
+    spikes = sphere_triangles(1);
+    for (std::size_t i = 0; i < spikes.positions.size(); i += 4)
+        spikes.positions[i] = (i % 8 == 0 ? 2.5 : 0.4) * spikes.positions[i];
+    const SurfaceMesh surface = surface_mesh(spikes);
+    Random random(12);
+    for (const int n : {1, 2, 4})
+        for (int fields = 0; fields < 4; ++fields) {
+            SurfaceField values{.n = n};
+            for (int v = 0; v < surface.vertices(); ++v) values.values.push_back(polar(1, random.uniform(-pi, pi)));
+            const FieldOnSurface field(surface, values);
+            for (int i = 0; i < 50; ++i) {
+                const SurfacePoint from = random_surface_point(surface, random);
+                const Complex direction = polar(1, random.uniform(-pi, pi));
+                const SurfaceTrace walk = trace(surface, &field, from, direction, 4);
+                CHECK(walk.length == Approx(4).epsilon(1e-12));
+                CHECK(smallest_weight(surface, walk.end) >= -1e-12);
+            }
+        }
+    for (int i = 0; i < 300; ++i) {
+        const SurfaceTrace walk =
+            trace(surface, nullptr, random_surface_point(surface, random), polar(1, random.uniform(-pi, pi)), 4);
+        CHECK(walk.length == Approx(4).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a walk that is aimed at a vertex goes on behind it") {
+    const SurfaceMesh surface = surface_mesh(sphere_triangles(3));
+    const FieldOnSurface field(surface, field_of_directions(surface, 2, eastward));
+    for (const FieldOnSurface* each : {&field, static_cast<const FieldOnSurface*>(nullptr)})
+        for (int h = 0; h < 3 * surface.faces(); h += 7) {
+            const Complex edge = edge_vector(surface, h);
+            const SurfacePoint middle{
+                face_of(h), surface.flat[static_cast<std::size_t>(face_of(h))][static_cast<std::size_t>(h % 3)] + edge / 2};
+            const SurfaceTrace walk = trace(surface, each, middle, edge / abs(edge), 3 * abs(edge));
+            CHECK(walk.length == Approx(3 * abs(edge)).epsilon(1e-9));
+            if (!each) CHECK(abs(position_in_space(surface, walk.end) - position_in_space(surface, middle)) > 2 * abs(edge));
+        }
+}
+
+TEST_CASE("work is bounded, however long a walk is wished") {
+    const SurfaceMesh surface = surface_mesh(torus_triangles(8, 6, 2, 0.7));
+    const FieldOnSurface field(surface, field_of_directions(surface, 1, eastward));
+    const SurfaceTrace walk =
+        trace(surface, &field, from_barycentric(surface, 3, {0.3, 0.3, 0.4}), {0.6, 0.8}, 1e300, {.keep_path = true});
+    CHECK(walk.length < 1e300);
+    CHECK(walk.length > 1000);
+    CHECK(walk.path.size() < 1'000'000);
+}
+
 TEST_CASE("a walk that follows the field in part lies between straight and along the field") {
     const SurfaceMesh surface = surface_mesh(plane_triangles(60, 60, 1.0 / 60, 0.2));
     const auto ring = [](double x, double y) { return std::atan2(y + 0.2, x + 0.2) + pi / 2; };
