@@ -6,6 +6,7 @@
 #include "analyzer/analyze.h"
 #include "editor/effects/analysis_jobs.h"
 #include "editor/effects/growth_jobs.h"
+#include "editor/effects/surface_jobs.h"
 #include "editor/effects/guarded.h"
 #include "editor/effects/progress_posts.h"
 #include "editor/effects/read_tool_replacement.h"
@@ -178,6 +179,23 @@ void Effects::one(const EndGrowth& request) {
     growth_stop_->store(true);
     if (!request.keep) growth_.stop();
 }
+
+void Effects::one(const ReadMesh& request) { meshes_.start(mesh_job(request)); }
+
+void Effects::one(const DesignField& request) { fields_.start(field_job(request)); }
+
+void Effects::one(const GrowOnSurface& request) {
+    surface_stop_->store(true);
+    surface_stop_ = std::make_shared<std::atomic<bool>>(false);
+    surfaces_.start(surface_job(request, surface_stop_));
+}
+
+void Effects::one(const EndSurface& request) {
+    surface_stop_->store(true);
+    if (!request.keep) surfaces_.stop();
+}
+
+void Effects::one(const WriteSurface& request) { surface_files_.start(surface_file_job(request)); }
 
 void Effects::one(const CloseWindow&) { closing_ = true; }
 

@@ -43,6 +43,11 @@ class Effects {
     void one(const FillPattern& request);
     void one(const MakeGrownDocument& request);
     void one(const EndGrowth& request);
+    void one(const ReadMesh& request);
+    void one(const DesignField& request);
+    void one(const GrowOnSurface& request);
+    void one(const EndSurface& request);
+    void one(const WriteSurface& request);
     void one(const CloseWindow& request);
 
     /// For growth that begins now; the growth before ends.
@@ -66,6 +71,11 @@ class Effects {
     std::shared_ptr<SurroundingsCache> surroundings_;
     std::shared_ptr<std::atomic<bool>> growth_stop_ = std::make_shared<std::atomic<bool>>(false);
     Worker growth_{post_};
+    Worker meshes_{post_};
+    Worker fields_{post_};
+    std::shared_ptr<std::atomic<bool>> surface_stop_ = std::make_shared<std::atomic<bool>>(false);
+    Worker surfaces_{post_};
+    Worker surface_files_{post_};
     bool closing_ = false;
     FileEffects files_;  ///< last: waits for what is to be written while all else is still there
 };

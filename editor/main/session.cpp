@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "editor/effects/kept_preferences.h"
 #include "editor/effects/state_folders.h"
 #include "editor/gl/picture_renderer.h"
+#include "editor/gl/surface_renderer.h"
 #include "editor/gl/thumbnails.h"
 #include "editor/main/canvas_emphasis.h"
 #include "editor/main/keyboard.h"
@@ -24,6 +26,8 @@
 #include "editor/model/command.h"
 #include "editor/model/growth_view.h"
 #include "editor/model/state_preferences.h"
+#include "editor/model/surface_stage.h"
+#include "editor/model/surface_view.h"
 #include "editor/model/update.h"
 #include "editor/panels/frame_timing.h"
 #include "editor/panels/panel.h"
@@ -48,6 +52,17 @@ Color colour_of(const ImVec4& colour) {
 }
 
 PictureSurround surround(bool dark) { return {.ground = colour_of(canvas_ground(dark))}; }
+
+SurfacePicture surface_picture(const SurfaceState& surface, bool dark) {
+    SurfacePicture picture{.behind = colour_of(canvas_ground(dark))};
+    if (!surface.stage) return picture;
+    const SurfaceSettings& settings = surface.settings;
+    if (settings.ground) picture.ground = surface.stage->ground;
+    picture.wireframe = settings.wireframe;
+    if (surface.grown) picture.pattern = surface.grown->assembly;
+    if (surface.field && settings.streamlines) picture.lines = surface.field->streamlines;
+    return picture;
+}
 
 class Session {
   public:
@@ -171,11 +186,7 @@ class Session {
         PanelTools tools;
         tools.scale = screen_.scale();
         tools.fonts = screen_.fonts();
-        // flags of emphasis count the document's elements
-        const PictureEmphasis emphasis = shows_grown(state_) ? PictureEmphasis{} : emphasis_of(state_.canvas);
-        tools.canvas_texture =
-            renderer_.draw(canvas_picture(state_), state_.canvas.view, emphasis, {.surround = surround(state_.shell.dark)});
-        tools.shortcoming = renderer_.shortcoming();
+        draw_canvas(tools);
         thumbnails_.begin_frame();
         tools.thumbnail = [this](int look) { return thumbnail(look); };
         std::vector<WidgetPlace> places;
@@ -185,6 +196,18 @@ class Session {
         for (const Action& action : actions) act(action);
         if (!actions.empty()) pending_frames_ = frames_of_input;
         if (!options_.places.empty()) write_trace(std::move(places));
+    }
+    void draw_canvas(PanelTools& tools) {
+        if (shows_surface(state_)) {
+            if (!surfaces_) surfaces_.emplace();
+            tools.canvas_texture = surfaces_->draw(surface_picture(state_.surface, state_.shell.dark), state_.surface.view);
+            return;
+        }
+        // flags of emphasis count the document's elements
+        const PictureEmphasis emphasis = shows_grown(state_) ? PictureEmphasis{} : emphasis_of(state_.canvas);
+        tools.canvas_texture =
+            renderer_.draw(canvas_picture(state_), state_.canvas.view, emphasis, {.surround = surround(state_.shell.dark)});
+        tools.shortcoming = renderer_.shortcoming();
     }
     unsigned thumbnail(int look) {
         if (!state_.picture) return 0;
@@ -221,6 +244,7 @@ class Session {
     Effects effects_;
     PictureRenderer renderer_;
     ThumbnailRenderer thumbnails_;
+    std::optional<SurfaceRenderer> surfaces_;  ///< made when a surface is first shown
     int pending_frames_ = frames_of_input;
     std::uint64_t frame_ = 0;
     std::string title_;

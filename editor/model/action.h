@@ -12,12 +12,13 @@
 #include "editor/model/recovery_actions.h"
 #include "editor/model/rules_actions.h"
 #include "editor/model/shell_actions.h"
+#include "editor/model/surface_actions.h"
 #include "editor/model/tools_actions.h"
 
 namespace rinceau {
 
 using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction, DialogAction,
-                            RecoveryAction, GrowthAction>;
+                            RecoveryAction, GrowthAction, SurfaceAction>;
 using Actions = std::vector<Action>;
 
 }  // namespace rinceau

@@ -66,7 +66,7 @@ std::vector<const Command*> matching_commands(const std::vector<Command>& comman
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (const auto area : {file_commands, rules_commands, canvas_commands, tools_commands, analysis_commands,
-                            growth_commands, shell_commands})
+                            growth_commands, surface_commands, shell_commands})
         for (Command& command : area()) all.push_back(std::move(command));
     return all;
 }

@@ -45,6 +45,7 @@ std::vector<Command> tools_commands();
 std::vector<Command> canvas_commands();
 std::vector<Command> analysis_commands();
 std::vector<Command> growth_commands();
+std::vector<Command> surface_commands();
 std::vector<Command> shell_commands();
 
 /// All of them, menu after menu: names and shortcuts are unique.

@@ -20,7 +20,7 @@ bool is_busy(const EditorState& state) {
     const bool derives = state.picture_revision != state.revision && state.picture_mistake.empty();
     return derives || state.analysis.running || state.file.opening || state.file.saving || state.file.exporting ||
            state.tools.running || state.tools.reading || state.clusters.running || state.clusters.mapping ||
-           state.growth.asked || state.growth.work != GrowthWork::none;
+           state.growth.asked || state.growth.work != GrowthWork::none || surface_is_busy(state.surface);
 }
 
 bool shows_tool_preview(const EditorState& state) {

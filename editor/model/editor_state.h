@@ -19,6 +19,7 @@
 #include "editor/model/recovery_state.h"
 #include "editor/model/rules_state.h"
 #include "editor/model/shell_state.h"
+#include "editor/model/surface_state.h"
 #include "editor/model/tools_state.h"
 
 namespace rinceau {
@@ -51,6 +52,7 @@ struct EditorState {
     AnalysisState analysis;
     ClustersState clusters;
     GrowthState growth;
+    SurfaceState surface;
     ShellState shell;
     std::vector<EditorMessage> messages;  ///< oldest first
 };

@@ -9,11 +9,15 @@
 namespace rinceau {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, FileKind>, 5> endings{{{".svg", FileKind::drawing},
+constexpr std::array<std::pair<std::string_view, FileKind>, 9> endings{{{".svg", FileKind::drawing},
                                                                         {".svgz", FileKind::drawing},
                                                                         {".lsys", FileKind::grammar},
                                                                         {".json", FileKind::json_grammar},
-                                                                        {".rinceau", FileKind::project}}};
+                                                                        {".rinceau", FileKind::project},
+                                                                        {".obj", FileKind::mesh},
+                                                                        {".off", FileKind::mesh},
+                                                                        {".ply", FileKind::mesh},
+                                                                        {".fgsg", FileKind::shape_grammar}}};
 
 }  // namespace
 

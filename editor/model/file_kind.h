@@ -5,9 +5,9 @@
 
 namespace rinceau {
 
-enum class FileKind : unsigned char { drawing, grammar, json_grammar, project, other };
+enum class FileKind : unsigned char { drawing, grammar, json_grammar, project, mesh, shape_grammar, other };
 
-/// By the ending: .svg and .svgz, .lsys, .json, .rinceau; of any case of letters.
+/// By the ending: .svg and .svgz, .lsys, .json, .rinceau, .obj .off .ply, .fgsg; of any case of letters.
 FileKind kind_of_name(const std::string& path);
 
 /// ".lsys"; empty for `other`.

@@ -7,7 +7,7 @@
 
 namespace rinceau {
 
-enum class GrowthTab : unsigned char { arrangement, aggregate };
+enum class GrowthTab : unsigned char { arrangement, aggregate, surface };
 
 /// What the left mouse button does on the canvas: select as ever; grow elements; draw strokes that elements follow, or that
 /// they do not cross; flip edges of the exemplar's connectivity.

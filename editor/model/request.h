@@ -12,8 +12,10 @@
 #include "editor/model/document.h"
 #include "editor/model/file_actions.h"
 #include "editor/model/find_selection.h"
+#include "editor/model/orbit_view.h"
 #include "editor/model/preferences.h"
 #include "editor/model/source_question.h"
+#include "editor/model/surface_actions.h"
 #include "editor/model/tool_edit.h"
 #include "editor/model/view_transform.h"
 
@@ -23,6 +25,7 @@ struct ArrangeOrder;  // arrange_order.h
 struct FillOrder;     // fill_order.h
 struct GrownPattern;  // grown_pattern.h
 struct GrowthSource;  // growth_source.h
+struct SurfaceOrder;  // surface_stage.h
 
 /// Answered by FileOpened or FileFailed.
 struct ReadDocument {
@@ -176,15 +179,44 @@ struct MakeGrownDocument {
 struct EndGrowth {
     bool keep = true;
 };
+// Surfaces.
+/// Answered by MeshRead; a later one takes its place.
+struct ReadMesh {
+    std::uint64_t job = 0;
+    std::string path;
+};
+/// Answered by FieldDesigned; a later one takes its place.
+struct DesignField {
+    std::uint64_t job = 0;
+    std::shared_ptr<const SurfaceStage> stage;
+    FieldSettings settings;
+    double spacing = 0.02;
+};
+/// Answered by SurfaceProgress and SurfaceGrown, at last with .done; a later one takes its place.
+struct GrowOnSurface {
+    std::uint64_t job = 0;
+    std::shared_ptr<const SurfaceOrder> order;
+};
+/// Growth on the surface ends; `keep`: with what stands, and is answered, else without an answer.
+struct EndSurface {
+    bool keep = true;
+};
+/// Answered by SurfaceExported. `grown` may be null: the surface alone.
+struct WriteSurface {
+    std::string path;
+    std::shared_ptr<const SurfaceStage> stage;
+    std::shared_ptr<const GrownSurface> grown;
+    OrbitView view;
+};
 struct CloseWindow {};
 
 // clang-format off: one a line, so that the list grows without touching other lines
-using Request =
-    std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, CheckText, MeasureDepth, LightRule,
-                 DeriveBefore, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, RunTool, ReadReplacement,
-                 ReadSource, GrowArrangement, FillPattern, MakeGrownDocument, EndGrowth, CloseWindow, StopExport, HoldFile,
-                 ListFolder, MakeFolder, LookAtPath, ListSamples, WriteRecovery, RemoveRecovery, FindRecoverables,
-                 ReadRecovery, DiscardRecovery, WritePreferences>;
+using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, CheckText, MeasureDepth,
+                             LightRule, DeriveBefore, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, RunTool,
+                             ReadReplacement, ReadSource, GrowArrangement, FillPattern, MakeGrownDocument, EndGrowth,
+                             ReadMesh, DesignField, GrowOnSurface, EndSurface, WriteSurface, CloseWindow, StopExport,
+                             HoldFile, ListFolder, MakeFolder, LookAtPath, ListSamples, WriteRecovery, RemoveRecovery,
+                             FindRecoverables, ReadRecovery, DiscardRecovery, WritePreferences>;
 // clang-format on
 using Requests = std::vector<Request>;
 

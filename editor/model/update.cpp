@@ -119,6 +119,7 @@ Update update(EditorState state, const Action& action) {
     std::visit([&](const auto& of_area) { perform(result, of_area); }, action);
     settle_analysis(result);
     follow_growth(result);
+    follow_surface(result);
     refresh_rules(result);
     return result;
 }

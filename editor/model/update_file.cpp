@@ -86,7 +86,13 @@ void note_recent(FileState& file, const std::string& path) {
 namespace {
 
 void perform_one(Update& update, const NewDocument&) { ask_or_perform(update, {Kind::create, {}}); }
-void perform_one(Update& update, const OpenFile& action) { ask_or_perform(update, {Kind::open, action.path}); }
+/// What grows, or what it grows on, stands beside the document.
+void perform_one(Update& update, const OpenFile& action) {
+    const FileKind kind = kind_of_name(action.path);
+    if (kind == FileKind::mesh) return perform(update, SurfaceAction{OpenMesh{action.path}});
+    if (kind == FileKind::shape_grammar) return perform(update, SurfaceAction{OpenShapeGrammar{action.path}});
+    ask_or_perform(update, {Kind::open, action.path});
+}
 void perform_one(Update& update, const OpenSample& action) { ask_or_perform(update, {Kind::sample, action.path}); }
 void perform_one(Update& update, const CloseFile&) { ask_or_perform(update, {Kind::close, {}}); }
 void perform_one(Update& update, const QuitEditor&) { ask_or_perform(update, {Kind::quit, {}}); }

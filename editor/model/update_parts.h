@@ -20,6 +20,7 @@ void perform(Update& update, const ShellAction& action);
 void perform(Update& update, const DialogAction& action);
 void perform(Update& update, const RecoveryAction& action);
 void perform(Update& update, const GrowthAction& action);
+void perform(Update& update, const SurfaceAction& action);
 
 void tell(Update& update, MessageKind kind, std::string text);
 
@@ -64,6 +65,8 @@ void drop_tried_analysis(Update& update);
 void forget_analysis(Update& update);
 /// While the panel of growth is open, what it grows from follows the document.
 void follow_growth(Update& update);
+/// The field on a surface follows its settings.
+void follow_surface(Update& update);
 /// The document is another one: nothing has grown yet.
 void forget_growth(Update& update);
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "editor/model/growth_view.h"
+#include "editor/model/surface_view.h"
 #include "editor/panels/canvas_parts.h"
 
 namespace rinceau {
@@ -64,6 +65,7 @@ void click(Actions& actions, const PanelTools& tools, const CanvasPlace& place) 
 }  // namespace
 
 Actions canvas_panel(const EditorState& state, const PanelTools& tools) {
+    if (shows_surface(state)) return canvas_surface(state, tools);
     Actions actions = canvas_path_bar(state, tools);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const Point size{std::floor(room.x), std::floor(room.y)};

@@ -34,6 +34,9 @@ void draw_growth_overlay(const EditorState& state, const PanelTools& tools, cons
 bool paint_growth(Actions& actions, const EditorState& state, const PanelTools& tools, const CanvasPlace& place,
                   bool hovered);
 
+/// A surface in the picture's place.
+Actions canvas_surface(const EditorState& state, const PanelTools& tools);
+
 /// Index of the handle under the point of the window; -1 = none.
 int handle_at(const EditorState& state, const PanelTools& tools, const CanvasPlace& place, ImVec2 window);
 

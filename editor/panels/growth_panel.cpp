@@ -55,6 +55,25 @@ void GrowthForm::text(const char* label, std::string& value, const char* help) {
     look(label, ImGui::InputText(label, &value), help);
 }
 
+bool GrowthForm::file(const char* label, std::string& value, const char* button, const char* help) {
+    const std::string shown = std::string(button) + "##" + label;
+    const float room =
+        ImGui::CalcTextSize(button).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::CalcItemWidth() - room));
+    const std::string hidden = std::string("##") + label;
+    const bool changed = ImGui::InputText(hidden.c_str(), &value);
+    const bool entered = ImGui::IsItemDeactivatedAfterEdit() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    look(label, changed, help);
+    ImGui::SameLine();
+    ImGui::BeginDisabled(value.empty());
+    const bool pressed = ImGui::Button(shown.c_str());
+    ImGui::EndDisabled();
+    note_place(tools_, std::string("growth/") + button + ' ' + label);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(label);
+    return (entered || pressed) && !value.empty();
+}
+
 void GrowthForm::choice(const char* label, int& value, const std::vector<const char*>& labels, const char* help) {
     const bool open = ImGui::BeginCombo(label, labels[static_cast<std::size_t>(value)]);
     note_place(tools_, std::string("growth/") + label);
@@ -76,7 +95,10 @@ void GrowthForm::command(const char* name) {
 
 Actions GrowthForm::done() {
     // settings first: a button that was pressed means them as they are now
-    if (changed_) actions.insert(actions.begin(), GrowthAction{SetGrowth{settings}});
+    if (!changed_) return std::move(actions);
+    const bool on_surface = settings.tab == GrowthTab::surface;
+    actions.insert(actions.begin(),
+                   on_surface ? Action{SurfaceAction{SetSurface{surface}}} : GrowthAction{SetGrowth{settings}});
     return std::move(actions);
 }
 
@@ -90,6 +112,8 @@ void tabs(GrowthForm& form) {
     tab("Arrangement", GrowthTab::arrangement);
     ImGui::SameLine();
     tab("Aggregate", GrowthTab::aggregate);
+    ImGui::SameLine();
+    tab("Surface", GrowthTab::surface);
 }
 
 const char* work_in_words(const GrowthState& growth) {
@@ -178,6 +202,10 @@ Actions growth_panel(const EditorState& state, const PanelTools& tools) {
     constexpr float room_for_labels = 8;  // widths of a letter
     GrowthForm form(state, tools);
     tabs(form);
+    if (form.settings.tab == GrowthTab::surface) {
+        growth_surface(form);
+        return form.done();
+    }
     if (state.document.resolved->terminals.empty()) {
         ImGui::TextWrapped("Open a drawing with some elements: more of the same can then grow from it.");
         return form.done();

@@ -12,9 +12,10 @@ namespace rinceau {
 class GrowthForm {
   public:
     GrowthForm(const EditorState& state, const PanelTools& tools)
-        : settings(state.growth.settings), state_(state), tools_(tools) {}
+        : settings(state.growth.settings), surface(state.surface.settings), state_(state), tools_(tools) {}
 
     GrowthSettings settings;
+    SurfaceSettings surface;
     Actions actions;
 
     const EditorState& state() const { return state_; }
@@ -27,6 +28,8 @@ class GrowthForm {
     void seed(std::uint64_t& value);
     void check(const char* label, bool& value, const char* help);
     void text(const char* label, std::string& value, const char* help);
+    /// A file's name with a button; true when that, or Enter, is pressed.
+    bool file(const char* label, std::string& value, const char* button, const char* help);
     /// `value` is an index into the labels.
     void choice(const char* label, int& value, const std::vector<const char*>& labels, const char* help);
     /// A command of the table as a button.
@@ -48,5 +51,6 @@ class GrowthForm {
 // The tabs, each in the file of its name.
 void growth_arrangement(GrowthForm& form);
 void growth_aggregate(GrowthForm& form);
+void growth_surface(GrowthForm& form);
 
 }  // namespace rinceau

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "editor/model/surface_view.h"
 #include "editor/panels/command_menu.h"
 
 namespace rinceau {
@@ -35,7 +36,7 @@ Actions welcome_panel(const EditorState& state, const PanelTools& tools) {
     Actions actions;
     const Document& document = state.document;
     const bool empty = !document.drawing && document.grammar->terminals.empty() && document.grammar->productions.empty();
-    if (!empty || !state.file.path.empty() || state.file.opening) return actions;
+    if (!empty || !state.file.path.empty() || state.file.opening || shows_surface(state)) return actions;
     const ImVec2 room = ImGui::GetWindowSize();
     constexpr float lines = 5;  // what follows, about its middle
     ImGui::SetCursorPosY(room.y / 2 - lines / 2 * ImGui::GetTextLineHeightWithSpacing());

@@ -179,11 +179,6 @@ std::vector<FieldElementKind> field_element_kinds(int n) {
     return fit;
 }
 
-int nearest_vertex(const SurfaceMesh& surface, SpacePoint place) {
-    const auto nearer = [&](SpacePoint a, SpacePoint b) { return dot(a - place, a - place) < dot(b - place, b - place); };
-    return static_cast<int>(std::ranges::min_element(surface.mesh.positions, nearer) - surface.mesh.positions.begin());
-}
-
 double direction_at_vertex(const SurfaceMesh& surface, int vertex, SpacePoint vector) {
     return arg(from_space_to_vertex(surface, vertex_axis(surface, vertex), vertex, vector));
 }

@@ -8,6 +8,7 @@
 
 #include "geometry/progress.h"
 #include "growth/surface/surface_field.h"
+#include "growth/surface/surface_lookup.h"
 
 namespace rinceau {
 
@@ -43,8 +44,6 @@ std::string_view name_of(FieldElementKind kind);
 /// All kinds in the order above that a field of n has.
 std::vector<FieldElementKind> field_element_kinds(int n);
 
-/// The vertex nearest to a place in space.
-int nearest_vertex(const SurfaceMesh& surface, SpacePoint place);
 /// The angle in the frame of `vertex` of a vector in space, seen along the normal there.
 double direction_at_vertex(const SurfaceMesh& surface, int vertex, SpacePoint vector);
 /// The angle 0 of designs, in the frame of `vertex`: the way of +x, or of +y where the surface faces +x or -x.
