@@ -37,6 +37,8 @@ int main(int count, char** values) try {
     field_lines(lines, options);
     walk_lines(lines, options);
     collision_lines(lines, options);
+    laying_lines(lines, options);
+    pattern_rows(lines, options);
     if (!options.csv) std::cout << '\n' << lines.judgements() << " bars, " << lines.failures() << " failures\n";
     return lines.failures() == 0 ? 0 : 1;
 } catch (const std::exception& error) {
