@@ -15,8 +15,10 @@ struct GrowDrawingOptions {
     std::optional<SurfacePoint> start;  ///< without one: a place far from borders and sharp bends
     double heading =
         0;  ///< degrees that the drawing's up is turned from the field (or from the surface's up), counter-clockwise
-    double scale = 0;     ///< surface length of a unit of the drawing; 0 = its diagonal becomes half of the surface's
-    double follow = 0.4;  ///< of the field's turning: 1 = constant angle to it
+    /// Surface length of a unit of the drawing. 0 = the drawing's diagonal becomes half of the surface's; without a field
+    /// less, down to a fifth, if so the whole drawing lies in one piece.
+    double scale = 0;
+    double follow = 0.4;                   ///< of the field's turning: 1 = constant angle to it
     LayGroups lay = LayGroups::automatic;  ///< whole groups through one chart
     double height = 0;                     ///< of the walls, surface length; 0 = flat
     bool meet_itself = false;              ///< keep elements that overlap on the surface but not in the drawing

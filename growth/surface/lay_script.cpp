@@ -35,6 +35,7 @@ class ScriptLayer {
           script_(script),
           elements_(elements),
           ways_(ways),
+          straight_{nullptr, 0, ways.scale},
           options_(options),
           layer_(surface, ways.scale, options.rims),
           turtle_(surface, ways, start),
@@ -45,6 +46,10 @@ class ScriptLayer {
 
     LaidScript run(const Progress& progress) {
         const int count = static_cast<int>(script_.deeds.size());
+        if (count > 0 && try_group(0, count - 1)) {
+            laid_.whole = true;
+            return std::move(laid_);
+        }
         constexpr int between_reports = 256;
         for (int i = 0; i < count;) {
             if (i % between_reports == 0) report(progress, "lay", static_cast<double>(i) / count);
@@ -58,6 +63,7 @@ class ScriptLayer {
     const TurtleScript& script_;
     std::span<const DrawnElement> elements_;
     const TurtleWays& ways_;
+    TurtleWays straight_;  ///< from the turtle to the middle of what it draws: what is laid whole does not bend
     const LayScriptOptions& options_;
     ElementLayer layer_;
     SurfaceTurtle turtle_;
@@ -113,7 +119,7 @@ class ScriptLayer {
         if (chosen.size() < 2) return false;
         const DrawnDisc disc = disc_of(elements_, chosen);
         if (ways_.scale * disc.radius > largest_group * surface_.diagonal) return false;
-        const std::optional<DrawingStand> middle = moved(surface_, ways_, turtle_.stand(), disc.centre);
+        const std::optional<DrawingStand> middle = moved(surface_, straight_, turtle_.stand(), disc.centre);
         if (!middle) return false;
         const bool is_stack = disc.radius <= stack_size * disc.largest;
         if (!is_stack && bends(*middle, chosen)) return false;
@@ -141,21 +147,22 @@ class ScriptLayer {
         return result;
     }
 
-    /// Does the field turn over the elements, as seen from the middle, more than a group may leave out?
+    /// Does the field turn over the elements, as seen from the turtle, more than a group may leave out?
     bool bends(const DrawingStand& middle, std::span<const int> chosen) const {
         if (ways_.field == nullptr || !(ways_.follow > 0)) return false;
         const int n = ways_.field->n();
-        const Complex here = ways_.field->at(middle.at);
+        // the field's direction in the drawing
+        const auto seen = [&](const DrawingStand& stand) { return arg(ways_.field->at(stand.at)) - n * arg(stand.turn); };
+        const double here = seen(turtle_.stand());
+        const auto turned = [&](const DrawingStand& there) {
+            return std::abs(wrap_angle(seen(there) - here)) / n * ways_.follow > field_turn;
+        };
+        if (turned(middle)) return true;
         constexpr std::size_t most_looks = 24;
         const std::size_t stride = std::max<std::size_t>(1, chosen.size() / most_looks);
-        TurtleWays straight = ways_;
-        straight.field = nullptr;
         for (std::size_t k = 0; k < chosen.size(); k += stride) {
-            const auto there = moved(surface_, straight, middle, center(elements_[at(chosen[k])].box));
-            if (!there) return true;
-            // the field's direction in the drawing, here and there
-            const double turned = arg(ways_.field->at(there->at)) - n * arg(there->turn) - arg(here) + n * arg(middle.turn);
-            if (std::abs(wrap_angle(turned)) / n * ways_.follow > field_turn) return true;
+            const auto there = moved(surface_, straight_, middle, center(elements_[at(chosen[k])].box));
+            if (!there || turned(*there)) return true;
         }
         return false;
     }
@@ -175,6 +182,7 @@ class ScriptLayer {
 
     /// Elements that stand on the one at deed i or below it are laid with it.
     int pass_stack(int i) {
+        if (elements_[at(script_.deeds[at(i)].element)].art == nullptr) return i + 1;
         int end = i + 1;
         Box box = elements_[at(script_.deeds[at(i)].element)].box;
         const auto joins = [&](const std::vector<int>& more) {
@@ -182,14 +190,15 @@ class ScriptLayer {
             for (const int e : more) all = including(all, elements_[at(e)].box);
             const double reach = stack_reach * std::max(diagonal(box), diagonal(all));
             if (is_empty(box) || is_empty(all)) return true;
-            if (!contains(grown(box, reach), all) && !contains(grown(all, reach), box)) return false;
+            const bool below = more.size() == 1 && contains(grown(all, reach), box);
+            if (!below && !contains(grown(box, reach), all)) return false;
             box = including(box, all);
             return true;
         };
         for (int k = i + 1; k < static_cast<int>(script_.deeds.size());) {
             const TurtleDeed& deed = script_.deeds[at(k)];
             if (deed.kind == TurtleEventKind::placed) {
-                if (!joins({deed.element})) break;
+                if (!joins(drawn_elements(k, k))) break;
                 end = ++k;
             } else if (deed.kind == TurtleEventKind::moved) {
                 ++k;
@@ -210,7 +219,7 @@ class ScriptLayer {
     void lay_stack(const std::vector<int>& chosen) {
         if (chosen.empty()) return;
         const DrawnDisc disc = disc_of(elements_, chosen);
-        const std::optional<DrawingStand> middle = moved(surface_, ways_, turtle_.stand(), disc.centre);
+        const std::optional<DrawingStand> middle = moved(surface_, straight_, turtle_.stand(), disc.centre);
         if (!middle) {
             laid_.stopped += static_cast<long>(chosen.size());
             return;
@@ -225,7 +234,7 @@ class ScriptLayer {
     bool lay_along_spine(int element) {
         const DrawnStrip strip = strip_of(elements_[at(element)]);
         if (strip.half_length < spine_aspect * strip.half_width) return false;
-        const std::optional<DrawingStand> middle = moved(surface_, ways_, turtle_.stand(), strip.centre);
+        const std::optional<DrawingStand> middle = moved(surface_, straight_, turtle_.stand(), strip.centre);
         if (!middle) return false;
         const double radius = std::hypot(strip.half_length, strip.half_width);
         ElementLayer::Result result =

@@ -32,7 +32,8 @@ struct LaidScript {
     std::vector<LaidShape> shapes;         ///< in order of derivation
     std::vector<std::vector<int>> covers;  ///< by shape: earlier ones with area in common
     long shrunk = 0, split = 0, spines = 0, stopped = 0;
-    long groups = 0;  ///< laid whole
+    long groups = 0;     ///< laid whole
+    bool whole = false;  ///< all elements through one chart
     std::vector<LayLoss> dropped;
 };
 
