@@ -17,15 +17,6 @@ namespace {
 
 constexpr long rules_between_looks = 256;  // at the clock and at who waits for progress
 
-ShapeGrammarSetting setting_of(const SurfaceMesh& surface, std::uint64_t seed) {
-    ShapeGrammarSetting setting;
-    setting.seed = seed;
-    setting.diagonal = surface.diagonal;
-    setting.area = surface.area;
-    setting.mean_edge = surface.mean_edge;
-    return setting;
-}
-
 /// By the grammar's sources: the index of the one that has its name.
 template <class Named>
 std::vector<int> numbers_in(const std::vector<Named>& world, const std::vector<ShapeSource>& sources, const char* what) {
@@ -62,7 +53,7 @@ struct ShapeDerivation::State {
     std::chrono::steady_clock::duration spent{};
 
     State(const ShapeGrammar& g, const SurfaceWorld& w, const ShapeDerivationOptions& options) : grammar(g), world(w) {
-        compiled = compile_shape_grammar(grammar, setting_of(*world.surface, options.seed));
+        compiled = compile_shape_grammar(grammar, grammar_setting(*world.surface, options.seed));
         ground = {&grammar,
                   &compiled,
                   &world,
