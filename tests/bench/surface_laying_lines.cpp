@@ -61,7 +61,7 @@ std::vector<SurfacePoint> places_on(const SurfaceMesh& surface) {
 void shares(GrowthLines& lines, const std::vector<MeshCase>& meshes, double share, double most) {
     double worst = 0, worst_full = 0;
     for (const MeshCase& mesh : meshes) {
-        if (!mesh.surface || mesh.surface->border_edges > 0) continue;
+        if (!is_closed(mesh)) continue;
         DiscLayer layer(*mesh.surface);
         const double radius = share * mesh.surface->diagonal;
         int not_full = 0, dropped = 0;
@@ -94,9 +94,8 @@ void speed(GrowthLines& lines, const MeshCase& mesh) {
 
 }  // namespace
 
-void laying_lines(GrowthLines& lines, const SurfaceBenchOptions& options) {
+void laying_lines(GrowthLines& lines, const SurfaceBenchOptions& options, const std::vector<MeshCase>& meshes) {
     if (!options.wants("outlines")) return;
-    const std::vector<MeshCase> meshes = mesh_cases(options);
     lines.begin("outlines laid on closed surfaces, 300 places each");
     shares(lines, meshes, 0.01, 0.5);
     shares(lines, meshes, 0.02, 2);

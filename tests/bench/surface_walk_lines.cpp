@@ -119,10 +119,10 @@ void loxodrome_lines(GrowthLines& lines) {
 
 }  // namespace
 
-void walk_lines(GrowthLines& lines, const SurfaceBenchOptions& options) {
+void walk_lines(GrowthLines& lines, const SurfaceBenchOptions& options, const std::vector<MeshCase>& meshes) {
     if (!options.wants("walks")) return;
     loxodrome_lines(lines);
-    for (const MeshCase& one : mesh_cases(options)) {
+    for (const MeshCase& one : meshes) {
         constexpr int most_faces = 100'000;  // smoothest fields of larger meshes take too long
         if (!one.surface || one.surface->faces() > most_faces) continue;
         constexpr double radius = 0.1;
