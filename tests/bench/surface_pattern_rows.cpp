@@ -111,8 +111,8 @@ void draw(const SurfaceBenchOptions& options, const std::string& name, const Mes
     std::ofstream(std::filesystem::path(options.pictures) / (name + ".png"), std::ios::binary) << picture_to_png(picture);
 }
 
-void row(GrowthLines& lines, const SurfaceBenchOptions& options, const RowPrinter& rows, const PatternCase& one, const std::string& mesh,
-         const std::shared_ptr<const SurfaceMesh>& surface) {
+void row(GrowthLines& lines, const SurfaceBenchOptions& options, const RowPrinter& rows, const PatternCase& one,
+         const std::string& mesh, const std::shared_ptr<const SurfaceMesh>& surface) {
     const GrownCase result = grown(one, surface);
     const SurfaceMesh& ground = *result.world.surface;
     const MeshAssembly assembly = assembly_of(result.pattern, ground, {.with_surface = true});
@@ -131,8 +131,8 @@ void row(GrowthLines& lines, const SurfaceBenchOptions& options, const RowPrinte
     draw(options, one.file + "_" + mesh, assembly);
 }
 
-void guarded_row(GrowthLines& lines, const SurfaceBenchOptions& options, const RowPrinter& rows, const PatternCase& one, const std::string& mesh,
-                 const std::shared_ptr<const SurfaceMesh>& surface) {
+void guarded_row(GrowthLines& lines, const SurfaceBenchOptions& options, const RowPrinter& rows, const PatternCase& one,
+                 const std::string& mesh, const std::shared_ptr<const SurfaceMesh>& surface) {
     try {
         row(lines, options, rows, one, mesh, surface);
     } catch (const std::exception& error) {

@@ -37,8 +37,8 @@ Grown grown(const std::string& name, const std::vector<std::pair<std::string, do
 void tile_lines(GrowthLines& lines) {
     constexpr int around = 168, along = 120;
     const auto torus = std::make_shared<const SurfaceMesh>(surface_mesh(torus_triangles(around, along, 1, 0.45)));
-    // Rings of 576 faces each.
-    constexpr double half_edge = 0.0095;
+    // Rings of 576 faces each, as many as fit at this half edge of the honeycomb.
+    constexpr double half_edge = 0.006;
     const Grown tile = grown("rings_a.fgsg", {{"d", half_edge * torus->diagonal}}, torus);
     const MeshAssembly assembly = assembly_of(tile.pattern, *torus, {.with_surface = true});
     lines.begin("sizes, tile (rings_a) on a torus of 40,320 faces");
