@@ -34,7 +34,7 @@ Patch patch_of(const SurfaceMesh& surface, const std::vector<ChartTriangle>& tri
     for (const ChartTriangle& triangle : triangles)
         for (const int v : surface.mesh.triangles[at(triangle.face)]) vertices.push_back(v);
     std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     patch.place.resize(vertices.size());
     constexpr double least_weight = 1e-2;
     for (const ChartTriangle& triangle : triangles) {
