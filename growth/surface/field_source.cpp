@@ -9,7 +9,7 @@
 #include "growth/surface/field_filled.h"
 #include "growth/surface/field_json.h"
 #include "growth/surface/field_smooth.h"
-#include "growth/surface/picture_png_read.h"
+#include "growth/picture_png_read.h"
 #include "growth/surface/vertex_axes.h"
 #include "lsystem/similar_name.h"
 

@@ -63,7 +63,13 @@ TriangleMesh plane_mesh(const PlanePiece& piece) {
 }
 
 ShapeGrammarSetting grammar_setting(const SurfaceMesh& surface, std::uint64_t seed) {
-    return {.seed = seed, .diagonal = surface.diagonal, .area = surface.area, .mean_edge = surface.mean_edge};
+    const auto [low, high] = bounds(surface.mesh);
+    return {.seed = seed,
+            .diagonal = surface.diagonal,
+            .area = surface.area,
+            .mean_edge = surface.mean_edge,
+            .low = low,
+            .high = high};
 }
 
 FieldSource field_source_of(const ShapeSource& source, const ShapeGrammar& grammar, const ShapeGrammarSetting& setting) {
