@@ -15,7 +15,9 @@ namespace rinceau {
 
 namespace {
 
-constexpr long rules_between_looks = 256;  // at the clock and at who waits for progress
+// Who waits for progress is told after so many rules, or when they take longer: a way may lead round the surface many times.
+constexpr long rules_between_looks = 256;
+constexpr std::chrono::milliseconds longest_between_looks{50};
 
 /// By the grammar's sources: the index of the one that has its name.
 template <class Named>
@@ -138,15 +140,19 @@ void ShapeDerivation::step(long rules, const Progress& progress) {
     State& state = *state_;
     const Clock::time_point start = Clock::now();
     const long end = rules_applied() + std::min(rules, std::numeric_limits<long>::max() - rules_applied());
+    Clock::time_point last_look = start;
     for (long taken = 0; !state.done() && rules_applied() < end; ++taken) {
         if (state.interpreter->queue().is_empty()) {
             state.begin_axiom();
         } else {
             state.interpreter->apply_next();
         }
-        const bool looks = taken % rules_between_looks == 0;
-        if (looks) report(progress, "growing", state.share_done());
-        state.within_bounds(looks ? Clock::now() - start : Clock::duration{});
+        const Clock::time_point now = Clock::now();
+        if (taken % rules_between_looks == 0 || now - last_look > longest_between_looks) {
+            report(progress, "growing", state.share_done());
+            last_look = now;
+        }
+        state.within_bounds(now - start);
     }
     state.spent += Clock::now() - start;
 }

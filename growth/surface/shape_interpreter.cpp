@@ -3,7 +3,8 @@
 //   that was saved before the shape that failed. The paper culls the rest of the string (cull = rule).
 // - A symbol that can only place one thing is derived where it stands (decisive_symbols.h), so that its collision culls too.
 // - A merged shape culls as well: its twin has already grown what would follow.
-// - The parts of a Lock are tested against everything outside of it, not against each other.
+// - The parts of a Lock are tested against everything outside of it, not against each other. What comes from a Lock may touch
+//   it as any shape may touch its ancestors, but not the parts of another Lock: those are patterns beside each other.
 #include "growth/surface/shape_interpreter.h"
 
 #include <algorithm>
@@ -317,12 +318,13 @@ ShapeInterpreter::Hit ShapeInterpreter::place(const CompiledShapeCommand& comman
     shape.depth = production.depth;
     shape.tested = command.verb == ShapeVerb::place_clear || set_ || ground_->options.collide_all;
     if (scope.attributes) shape.attributes = *scope.attributes;
-    const std::vector<int> kin = kin_.last(scope.kin, std::max(1, ground_->options.kin));
+    std::vector<int> kin = kin_.last(scope.kin, std::max(1, ground_->options.kin));
     shape.parent = kin.empty() ? -1 : kin.front();
     shape.set = set_ ? set_number_ : -1;
     const int end = set_ ? set_->first : placed_.size();
-    const std::span<const int> may_touch = std::span(kin).first(std::min(kin.size(), at(ground_->options.kin)));
-    if (shape.tested && placed_.overlaps(shape, frame, may_touch, end)) {
+    kin.resize(std::min(kin.size(), at(ground_->options.kin)));
+    if (set_) std::erase_if(kin, [&](int ancestor) { return placed_.placed()[at(ancestor)].set >= 0; });
+    if (shape.tested && placed_.overlaps(shape, frame, kin, end)) {
         ++counts_.collisions_avoided;
         if (set_) set_->failed = true;
         return Hit::omitted;

@@ -47,6 +47,7 @@ struct ShapeKind {
 };
 
 constexpr double most_corners = 1000;
+constexpr double round_radius = 0.5;  // of all shapes that collide as discs
 
 NumberSetting detail(double value, double low = 3) { return {"detail", value, low, most_corners, true}; }
 NumberSetting height_setting() { return {"height", 1, 1e-6, 1e6}; }
@@ -314,6 +315,11 @@ GrammarShape make_shape(const ShapeSource& source, const ReadNamedFile& read_fil
     const auto [low, high] = bounds(shape.mesh);
     shape.low = low;
     shape.high = high;
+    if (kind.collide == CollideAs::disc) {
+        // the corners of a coarse round shape, or of one that is cut, need not reach as far as its circle
+        shape.low.x = shape.low.y = -round_radius;
+        shape.high.x = shape.high.y = round_radius;
+    }
     const auto collide = std::ranges::find(collide_names, values.words.find("collide")->second);
     shape.collide = static_cast<CollideAs>(collide - collide_names.begin());
     return shape;

@@ -64,8 +64,10 @@ void speed_and_angle(GrowthLines& lines, const std::string& name, const SurfaceM
     long samples = 0, far = 0, counted = 0;
     for (const Start& start : starts) {
         if (!calm[static_cast<std::size_t>(start.at.face)]) continue;
-        const SurfaceTrace walk = trace(surface, &field, start.at, start.direction, edges * surface.mean_edge);
-        if (walk.jumps > 0) continue;
+        const SurfaceTrace walk =
+            trace(surface, &field, start.at, start.direction, edges * surface.mean_edge, {.keep_path = true});
+        const auto stays_calm = [&](SurfacePoint p) { return calm[static_cast<std::size_t>(p.face)]; };
+        if (!std::all_of(walk.path.begin(), walk.path.end(), stays_calm)) continue;
         sum += walk.angle_error_sum;
         samples += walk.angle_samples;
         worst = std::max(worst, walk.angle_error);
@@ -117,17 +119,31 @@ void loxodrome_lines(GrowthLines& lines) {
     lines.at_most("end, largest distance from the closed form", worst, 3e-4);
 }
 
+/// A surface that bends alike in all directions has no direction of its own: what its curvature shows is noise.
+bool has_directions(const SurfaceField& curvature) {
+    constexpr double least = 0.05;  // of the mean curvature
+    double directed = 0, mean = 0;
+    for (std::size_t v = 0; v < curvature.values.size(); ++v) {
+        directed += abs(curvature.values[v]);
+        mean += std::abs(curvature.isotropic[v]);
+    }
+    return directed > least * mean;
+}
+
 }  // namespace
 
-void walk_lines(GrowthLines& lines, const SurfaceBenchOptions& options) {
+void walk_lines(GrowthLines& lines, const SurfaceBenchOptions& options, const std::vector<MeshCase>& meshes) {
     if (!options.wants("walks")) return;
     loxodrome_lines(lines);
-    for (const MeshCase& one : mesh_cases(options)) {
+    for (const MeshCase& one : meshes) {
         constexpr int most_faces = 100'000;  // smoothest fields of larger meshes take too long
         if (!one.surface || one.surface->faces() > most_faces) continue;
+        const SurfaceMesh& surface = *one.surface;
         constexpr double radius = 0.1;
-        const FieldOnSurface field(*one.surface, smoothed(*one.surface, guiding_curvature_field(*one.surface), radius));
-        speed_and_angle(lines, one.name, *one.surface, field);
+        if (has_directions(curvature_field(surface)))
+            speed_and_angle(lines, one.name + ", curvature", surface,
+                            {surface, smoothed(surface, guiding_curvature_field(surface), radius)});
+        speed_and_angle(lines, one.name + ", smoothest", surface, {surface, smoothest_field(surface, 2)});
     }
 }
 
