@@ -108,11 +108,11 @@ bool ShapeDerivation::State::within_bounds(std::chrono::steady_clock::duration t
     const ShapeDerivationOptions& options = ground.options;
     const long things = interpreter->shapes().size() + interpreter->queue().size() + interpreter->lines().points();
     if (things > options.max_shapes)
-        stop(std::to_string(options.max_shapes) + " shapes and waiting symbols", "allow more shapes");
+        stop(std::to_string(options.max_shapes) + " shapes and waiting symbols", "allow more shapes (option max_shapes)");
     else if (interpreter->counts().rules_applied >= options.max_rules && !done())
-        stop(std::to_string(options.max_rules) + " rules", "allow more rules");
+        stop(std::to_string(options.max_rules) + " rules", "allow more rules (option max_rules)");
     else if (options.max_seconds > 0 && std::chrono::duration<double>(spent + time).count() > options.max_seconds)
-        stop(number_text(options.max_seconds) + " seconds", "allow more seconds");
+        stop(number_text(options.max_seconds) + " seconds", "allow more seconds (option max_seconds)");
     else if (const auto rule = interpreter->endless_lock())
         stop("a Lock whose symbols do not come to an end ('" + grammar.rules[static_cast<std::size_t>(*rule)].symbol + "')",
              "keep endless growth out of Lock");
