@@ -82,7 +82,7 @@ class ShapeGrammarChecker {
 
     void check_field(const ShapeSource& field) const {
         check_field_source(field_source_of(field, grammar_, {}));
-        if (!field.text.empty() && read_file_) read_file_(field.text);
+        if (!field.text.empty() && read_file_) read_named(read_file_, field.text, field.place);
     }
 };
 

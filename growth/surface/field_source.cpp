@@ -41,7 +41,7 @@ struct Sources {
         if (n != 1 && n != 2 && n != 4) fail("the field's n is " + std::to_string(n) + "; expected 1, 2 or 4");
         return n;
     }
-    std::string file() const { return read(source.text); }
+    std::string file() const { return read_named(read, source.text, source.place); }
     std::string label() const { return source.text.empty() ? source.place.file : source.text; }
 };
 

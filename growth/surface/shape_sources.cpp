@@ -254,7 +254,7 @@ std::string text_of_file(const ShapeKind& kind, const ShapeSource& source, const
     if (!kind.has_file && !source.text.empty())
         throw InputError(source.place, "the shape '" + source.name + "': expected settings behind " + source.kind +
                                            ", found \"" + source.text + "\"");
-    return kind.has_file ? read_file(source.text) : std::string();
+    return kind.has_file ? read_named(read_file, source.text, source.place) : std::string();
 }
 
 /// The draft whose number of faces is nearest to faces = n, by halving the range of the setting that makes it finer.

@@ -90,7 +90,7 @@ TEST_CASE("Shape grammars that cannot be read are refused with the place") {
          "the option 'plane': expected a whole number from 1 to 2000"},
         {start + repeated("[", 5000) + repeated("]", 5000) + "\n", "bad.fgsg:2:117: expected at most 100 brackets"},
         {start + "Rz(" + repeated("(", 5000) + "1" + repeated(")", 5000) + ")\n", "at most 200 nested parts"},
-        {start + repeated("Lock{", 5000) + "\n", "at most 100 braces in each other"},
+        {start + repeated("Lock{", 5000) + repeated("}", 5000) + "\n", "at most 100 braces in each other"},
         {start + repeated("Rz(1) ", 170'000) + "I(\"c\")\n", "expected a shape of this grammar, found 'c'"},
         {"axiom vertex 0 A(1)\nA(n) : n" + repeated("&&n", 100'000) + " ~ I(\"c\")\n", "expected a shape"},
     };
@@ -149,13 +149,14 @@ TEST_CASE("Meshes that are no surface are refused with the reason and the place"
         {"OFF\n4000000000 2 0\n0 0 0\n", "more than 10000000 vertices", 3},
         {"ply\nformat ascii 1.0" + ply + "0 0 0\n1 0 0\n1 1", "the file ends before all that its header promises"},
         {"ply\nformat binary_little_endian 1.0" + ply + std::string(40, '\0'), "the file ends before all that its header"},
-        {"<svg/>", "expected a mesh as .obj, .off or .ply"},
+        {"<svg/>", "expected a mesh with vertices"},
     };
     for (const Refused& bad : meshes) {
         folder.put("bad.obj", bad.bytes);
         folder.check({"grow", "good.fgsg", "--on", "bad.obj"}, bad);
     }
-    folder.check({"field", "bad.obj", "--curvature"}, {"", "bad.obj: expected a mesh as"});
+    folder.check({"field", "bad.obj", "--curvature"}, {"", "bad.obj: expected a mesh with vertices"});
+    folder.check({"field", "good.fgsg", "--curvature"}, {"", "good.fgsg: expected a mesh as .obj, .off or .ply"});
 }
 
 TEST_CASE("Meshes of quads, with borders or in two pieces are grown on") {
