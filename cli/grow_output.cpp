@@ -15,11 +15,6 @@
 namespace rinceau {
 namespace {
 
-/// Where a picture is seen from, degrees.
-struct Look {
-    double turn = 30, elevation = 20;
-};
-
 /// Where the pattern faces: the sum of all normals, weighted by area, and of their lengths.
 struct Facing {
     SpacePoint sum;
@@ -61,8 +56,7 @@ std::string picture_bytes(const SurfacePattern& pattern, const SurfaceMesh& surf
     const bool plane = options.surface.empty();
     const UpAxis up = plane ? UpAxis::z : options.up;
     constexpr double straight_down = 90;
-    Look look = plane ? Look{0, straight_down} : look_at(pattern, up);
-    if (options.view) look = {options.view->first, options.view->second};
+    const Look look = options.view.value_or(plane ? Look{0, straight_down} : look_at(pattern, up));
     constexpr double occlusion = 0.6;
     MeshView view{.elevation = radians(look.elevation), .turn = radians(look.turn), .occlusion = occlusion};
     if (options.width > 0) view.width = options.width;

@@ -21,33 +21,6 @@ namespace {
 
 constexpr std::size_t line_width = 110;
 
-void append_comment(std::string& text, const std::string& line) {
-    text += line.empty() ? "#" : "# ";
-    text += line;
-    text += '\n';
-}
-
-std::string commented(const std::string& comment) {
-    std::string text;
-    for (const std::string& line : comment_lines(comment)) append_comment(text, line);
-    return text;
-}
-
-std::string quoted(const std::string& value) {
-    std::string text = "\"";
-    for (const char c : value) {
-        constexpr std::string_view special = "\"\\\n\r\t";
-        const std::size_t known = special.find(c);
-        if (known == std::string_view::npos) {
-            text += c;
-        } else {
-            text += '\\';
-            text += "\"\\nrt"[known];
-        }
-    }
-    return text + '"';
-}
-
 std::string module_text(const ModuleTemplate& module) {
     std::string text = module.symbol;
     for (std::size_t i = 0; i < module.arguments.size(); ++i) {
@@ -140,7 +113,7 @@ std::string production_text(const Production& production) {
 }
 
 std::string use_text(const Use& use) {
-    return "use " + quoted(use.file) + (use.prefix.empty() ? "" : " as " + use.prefix) + '\n';
+    return "use " + in_quotes(use.file) + (use.prefix.empty() ? "" : " as " + use.prefix) + '\n';
 }
 
 std::string ignore_text(const std::vector<std::string>& symbols) {
@@ -180,7 +153,7 @@ std::string terminal_text(const Terminal& terminal) {
     std::vector<std::string> parts;
     if (terminal.style != 0) parts.push_back("style " + std::to_string(terminal.style));
     if (!terminal.paths.empty()) parts.push_back("path \"" + wrapped_path(svg_path_data(terminal.paths)) + '"');
-    if (!terminal.id.empty()) parts.push_back("id " + quoted(terminal.id));
+    if (!terminal.id.empty()) parts.push_back("id " + in_quotes(terminal.id));
     if (!is_empty(terminal.verbatim_box)) {
         const Box& box = terminal.verbatim_box;
         parts.push_back("box " + number_text(box.low.x) + ' ' + number_text(-box.high.y) + ' ' + number_text(box.high.x) +
@@ -230,9 +203,9 @@ std::string axiom_text(const Grammar& grammar) {
 
 std::string to_text(const Grammar& grammar) {
     std::string text = "lsystem 1\n";
-    if (!grammar.title.empty()) text += "title " + quoted(grammar.title) + '\n';
+    if (!grammar.title.empty()) text += "title " + in_quotes(grammar.title) + '\n';
     std::string comments;
-    for (const std::string& line : grammar.comments) append_comment(comments, line);
+    for (const std::string& line : grammar.comments) comments += comment_line(line);
     append_section(text, comments);
     append_section(text, canvas_text(grammar));
     if (grammar.seed) append_section(text, "seed " + std::to_string(*grammar.seed) + '\n');

@@ -196,4 +196,27 @@ StatementList split_statements(std::string_view text, const std::string& file_na
     return Splitter(text, file_name).split();
 }
 
+std::string comment_line(const std::string& line) { return (line.empty() ? "#" : "# " + line) + '\n'; }
+
+std::string commented(const std::string& comment) {
+    std::string text;
+    for (const std::string& line : comment_lines(comment)) text += comment_line(line);
+    return text;
+}
+
+std::string in_quotes(const std::string& value) {
+    std::string text = "\"";
+    for (const char c : value) {
+        constexpr std::string_view special = "\"\\\n\r\t";
+        const std::size_t known = special.find(c);
+        if (known == std::string_view::npos) {
+            text += c;
+        } else {
+            text += '\\';
+            text += "\"\\nrt"[known];
+        }
+    }
+    return text + '"';
+}
+
 }  // namespace rinceau

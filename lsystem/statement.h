@@ -43,4 +43,13 @@ SourcePlace place_in(const Statement& statement, const PlaceInText& place);
 /// The lines of a comment; none for an empty one.
 std::vector<std::string> comment_lines(const std::string& comment);
 
+/// A line of one as it stands in a text: behind a #, ended.
+std::string comment_line(const std::string& line);
+
+/// Its lines as they stand in a text.
+std::string commented(const std::string& comment);
+
+/// In double quotes, with the escapes that Scanner::quoted() reads.
+std::string in_quotes(const std::string& value);
+
 }  // namespace rinceau

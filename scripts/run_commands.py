@@ -21,13 +21,14 @@ def commands(document):
     return found
 
 
-def run(program, document, folder):
+def run(program, document, folder, wanted=lambda words: True):
+    """Runs the commands whose words are wanted; returns them."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     samples = folder / "samples"
     if not samples.exists():
         samples.symlink_to(ROOT / "samples")
-    lines = commands(pathlib.Path(document).read_text(encoding="utf-8"))
+    lines = [words for words in commands(pathlib.Path(document).read_text(encoding="utf-8")) if wanted(words)]
     for words in lines:
         done = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, timeout=120)
         if done.returncode != 0:

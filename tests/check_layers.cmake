@@ -40,7 +40,7 @@ set(place_json "^cli/|^growth/surface/[a-z_]*json\\.cpp$|^editor/model/[a-z_]*js
 set(include_boost "^boost/")
 set(place_boost "^geometry/delaunay\\.cpp$")
 set(include_png "^png\\.h$")
-set(place_png "^growth/mesh/|^growth/surface/[a-z_]*picture[a-z_]*\\.cpp$|^growth/aggregate/[a-z_]*picture[a-z_]*\\.cpp$|^tests/growth/")
+set(place_png "^growth/mesh/|^growth/surface/[a-z_]*picture[a-z_]*\\.cpp$|^growth/aggregate/height_picture_png\\.cpp$|^growth/picture_png_read\\.cpp$|^tests/growth/")
 set(include_tinyobj "^tiny_obj_loader")
 set(place_tinyobj "^growth/mesh/")
 set(include_tinygltf "^tiny_gltf")

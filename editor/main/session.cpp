@@ -137,6 +137,7 @@ class Session {
         if (wants_frame()) {
             pending_frames_ = std::max(0, pending_frames_ - 1);
             glfwPollEvents();
+            if (window_.had_input()) pending_frames_ = frames_of_input;
             return;
         }
         const double frame_due = glfwGetTime() + seconds_to_next_frame();

@@ -96,7 +96,7 @@ std::vector<Command> surface_commands() {
     all.push_back(tool_command<SurfaceTool::seed>("seed", "Put seeds",
                                                   "A click puts a seed where growth begins; dragging moves one."));
     all.push_back(show_command<&SurfaceSettings::ground>("ground", "Show the surface", "Under what grows on it."));
-    all.push_back(show_command<&SurfaceSettings::wireframe>("wireframe", "Show its triangles", "Edges of the mesh."));
+    all.push_back(show_command<&SurfaceSettings::wireframe>("wireframe", "Show its triangles", "Draws the edges of the mesh over it."));
     all.push_back(show_command<&SurfaceSettings::streamlines>("streamlines", "Show streamlines", "Lines along the field."));
     all.push_back(show_command<&SurfaceSettings::singular>("singular", "Show singular points",
                                                            "Where the field has no direction, coloured by their index."));

@@ -36,11 +36,15 @@ struct FieldSource {
 /// The kinds, in the order above.
 const std::vector<std::string>& field_source_kinds();
 
+/// Throws InputError at the source's place for an unknown kind, settings that the kind has not, and a file's name that is
+/// missing or not wanted.
+void check_field_source(const FieldSource& source);
+
 /// The bytes of a named file; throws InputError if it cannot be read.
 using ReadNamedFile = std::function<std::string(const std::string& name)>;
 
-/// Throws InputError at the source's place for an unknown kind, a number that the kind has not or that is out of range, and
-/// in the file's name for what is wrong with a file.
+/// Throws InputError as check_field_source() and at the source's place for a number that is out of range, and in the file's
+/// name for what is wrong with a file.
 SurfaceField make_field(const FieldSource& source, const SurfaceMesh& surface, const ReadNamedFile& read,
                         const Progress& progress = {});
 

@@ -10,26 +10,6 @@ namespace {
 
 constexpr std::size_t line_width = 110;
 
-void append_comment(std::string& text, const std::string& comment) {
-    for (const std::string& line : comment_lines(comment)) text += line.empty() ? "#\n" : "# " + line + '\n';
-}
-
-/// The escapes that Scanner::quoted() reads.
-std::string in_quotes(const std::string& value) {
-    std::string text = "\"";
-    for (const char c : value) {
-        constexpr std::string_view special = "\"\\\n\r\t";
-        const std::size_t known = special.find(c);
-        if (known == std::string_view::npos) {
-            text += c;
-        } else {
-            text += '\\';
-            text += "\"\\nrt"[known];
-        }
-    }
-    return text + '"';
-}
-
 std::string group_text(const ShapeCommand& command, std::string_view word) {
     std::string text(word);
     text += '{';
@@ -136,30 +116,30 @@ std::string statement_text(const ShapeAxiom& axiom) {
 
 std::string to_text(const ShapeGrammar& grammar) {
     std::string text;
-    for (const std::string& line : grammar.comments) text += line.empty() ? "#\n" : "# " + line + '\n';
+    for (const std::string& line : grammar.comments) text += comment_line(line);
     if (!grammar.comments.empty()) text += '\n';
     for (const ShapeParam& param : grammar.params) {
-        append_comment(text, param.comment);
+        text += commented(param.comment);
         text += "param " + param.name + " = " + to_text(param.value) + '\n';
     }
     for (const ShapeSource& field : grammar.fields) {
-        append_comment(text, field.comment);
+        text += commented(field.comment);
         text += source_text("field", field);
     }
     for (const ShapeSource& shape : grammar.shapes) {
-        append_comment(text, shape.comment);
+        text += commented(shape.comment);
         text += source_text("shape", shape);
     }
     for (const auto& [name, option] : grammar.options) {
-        append_comment(text, option.comment);
+        text += commented(option.comment);
         text += option_text(option);
     }
     for (const ShapeAxiom& axiom : grammar.axioms) {
-        append_comment(text, axiom.comment);
+        text += commented(axiom.comment);
         text += statement_text(axiom) + '\n';
     }
     for (const ShapeRule& rule : grammar.rules) {
-        append_comment(text, rule.comment);
+        text += commented(rule.comment);
         text += statement_text(rule) + '\n';
     }
     return text;

@@ -127,9 +127,12 @@ class ShapeSplitter {
     void end_statement() {
         if (!open_.empty()) {
             result_.statements.pop_back();
-            result_.faults.push_back({open_.back().place, std::string("expected a '") + closing(open_.back().kind) +
-                                                              "' for this '" + open_.back().kind +
-                                                              "', found none before the next statement"});
+            std::string message = "expected a '";
+            message += closing(open_.back().kind);
+            message += "' for this '";
+            message += open_.back().kind;
+            message += "', found none before the next statement";
+            result_.faults.push_back({open_.back().place, std::move(message)});
         }
         open_.clear();
     }

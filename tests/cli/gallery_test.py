@@ -9,11 +9,20 @@ import tempfile
 sys.dont_write_bytecode = True
 SOURCE = pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(SOURCE / "scripts"))
-from run_commands import run  # noqa: E402
+from run_commands import commands, run  # noqa: E402
+
+try:
+    from PIL import Image, ImageChops, ImageStat
+except ImportError:
+    Image = None  # then pixels are not compared
 
 MOST_BYTES = 130_000  # of a picture; most are below 40,000
 MOST_PIXEL_BYTES = 250_000  # of one that is made of pixels: reliefs hardly shrink
 GROWTH = "docs/gallery_growth.md"
+SURFACE = "docs/gallery_surface.md"
+MOST_SURFACE_BYTES = 62_000
+MADE_AGAIN = ["tree_plane.png", "merging_b.png", "field_smooth.png", "vine_torus.png"]  # all of them would take too long
+MOST_DIFFERENCE = 6  # of 255, on average: what a palette takes away
 OTHER_PAGES = ["docs/replace.md"]
 
 
@@ -66,6 +75,33 @@ def expect_every_sample(page):
         assert "samples/%s" % drawing.name in page, "%s is not in the gallery" % drawing.name
 
 
+def difference(made, shown):
+    """The mean difference of two pictures' pixels; they are as large."""
+    pixels = [Image.open(name).convert("RGB") for name in (made, shown)]
+    assert pixels[0].size == pixels[1].size, "%s: %s instead of %s" % (shown, pixels[1].size, pixels[0].size)
+    return sum(ImageStat.Stat(ImageChops.difference(*pixels)).mean) / 3
+
+
+def expect_surfaces(program):
+    """Every picture has its command and is small; some are made again and look as those shown."""
+    page = (SOURCE / SURFACE).read_text(encoding="utf-8")
+    made = {words[words.index("-o") + 1] for words in commands(page)}
+    shown = [picture for picture in pictures(page) if picture.parent.name == "surface" and "images" in picture.parts]
+    for picture in shown:
+        assert picture.exists(), "%s is shown and missing" % picture
+        assert picture.name in made, "no command makes %s" % picture.name
+        assert picture.stat().st_size < MOST_SURFACE_BYTES, "%s is too large" % picture
+    assert made == {picture.name for picture in shown}, "made and not shown: %s" % (made - {picture.name for picture in shown})
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        lines = run(program, SOURCE / SURFACE, folder, lambda words: set(words) & set(MADE_AGAIN))
+        assert len(lines) == len(MADE_AGAIN)
+        print("%s: %d of %d commands, %d pictures" % (SURFACE, len(lines), len(made), len(shown)))
+        for picture in MADE_AGAIN if Image else []:
+            apart = difference(folder / picture, SOURCE / "docs/images/surface" / picture)
+            assert apart < MOST_DIFFERENCE, "%s is not what its command makes: scripts/make_figures.sh (%.1f apart)" % (picture, apart)
+
+
 def main(program):
     page = (SOURCE / "docs/gallery.md").read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as name:
@@ -81,6 +117,7 @@ def main(program):
         shown = pictures((SOURCE / GROWTH).read_text(encoding="utf-8"))
         print("%s: %d commands, %d pictures" % (GROWTH, len(lines), len(shown)))
         expect_made(pathlib.Path(folder), shown)
+    expect_surfaces(program)
     for other in OTHER_PAGES:
         with tempfile.TemporaryDirectory() as folder:
             print("%s: %d commands" % (other, len(run(program, SOURCE / other, folder))))
