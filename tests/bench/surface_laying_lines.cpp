@@ -1,6 +1,7 @@
 // Outlines laid on surfaces: how many a second, and how many lie only when shrunk, or not at all (bars: docs/growth.md).
 
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "geometry/angle.h"
@@ -105,8 +106,8 @@ bool is_folded(const LaidShape& shape) {
 }
 
 struct Shares {
-    double worst = 0, worst_full = 0;  ///< percent
-    std::string mesh;                  ///< of `worst`
+    std::vector<std::pair<double, std::string>> dropped;  ///< percent by mesh, the most first
+    double worst_full = 0;                                ///< percent shrunk or dropped, of the worst mesh
     long folded = 0, laid = 0;
 };
 
@@ -124,10 +125,9 @@ Shares shares_at(const std::vector<MeshCase>& meshes, double share) {
             shares.laid += static_cast<long>(laid.shapes.size());
         }
         shares.worst_full = std::max(shares.worst_full, 100.0 * static_cast<double>(not_full) / places);
-        if (100.0 * static_cast<double>(lost) / places <= shares.worst) continue;
-        shares.worst = 100.0 * static_cast<double>(lost) / places;
-        shares.mesh = mesh.name;
+        shares.dropped.emplace_back(100.0 * static_cast<double>(lost) / places, mesh.name);
     }
+    std::ranges::sort(shares.dropped, std::greater<>());
     return shares;
 }
 
@@ -139,8 +139,10 @@ void share_lines(GrowthLines& lines, const std::vector<MeshCase>& meshes) {
         const Shares shares = shares_at(meshes, bar.share);
         std::ostringstream name;
         name << "radius " << bar.share << ": ";
-        lines.at_most(name.str() + "dropped, % " + (shares.mesh.empty() ? "" : "(" + shares.mesh + ")"), shares.worst,
-                      bar.most_lost);
+        const auto of_mesh = [&](std::size_t i) { return "dropped, % of " + shares.dropped[i].second; };
+        if (shares.dropped.size() < 2) return lines.failed("fewer than two closed meshes");
+        lines.at_most(name.str() + of_mesh(0), shares.dropped[0].first, bar.most_lost);
+        lines.say(name.str() + of_mesh(1), shares.dropped[1].first);
         lines.say(name.str() + "shrunk or dropped, %, worst mesh", shares.worst_full);
         lines.at_most(name.str() + "with a fold, of " + std::to_string(shares.laid), static_cast<double>(shares.folded), 0);
     }
