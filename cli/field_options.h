@@ -51,7 +51,7 @@ struct FieldVerbOptions {
     bool minor = false;
     bool points = true;
     UpAxis up = UpAxis::y;
-    std::optional<Look> view;
+    std::optional<LookFrom> view;
     int width = 900;
 };
 

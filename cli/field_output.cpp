@@ -22,7 +22,7 @@ constexpr int schema_version = 1;
 std::string picture_bytes(const SurfacePattern& pattern, const SurfaceMesh& surface, const FieldVerbOptions& options) {
     const bool plane = is_plane(surface);
     constexpr double straight_down = 90, occlusion = 0.5;
-    const Look look = options.view.value_or(plane ? Look{0, straight_down} : Look{});
+    const LookFrom look = options.view.value_or(plane ? LookFrom{0, straight_down} : LookFrom{});
     const MeshView view{.elevation = radians(look.elevation),
                         .width = options.width,
                         .turn = radians(look.turn),

@@ -31,7 +31,7 @@ struct GrowVerbOptions {
     bool with_surface = false;
     GlbInstancing instancing = GlbInstancing::gpu;
     UpAxis up = UpAxis::y;
-    std::optional<Look> view;
+    std::optional<LookFrom> view;
     int width = 0;  ///< of pictures, pixels; 0 = their own
 
     GrowDrawingOptions drawing;  ///< but for the start

@@ -46,13 +46,13 @@ void add_up_option(CLI::App& verb, UpAxis& up, const std::string& help) {
     add_choice<UpAxis>(verb, "--up", up, help, {{"y", UpAxis::y}, {"z", UpAxis::z}}, "y|z");
 }
 
-void add_view_option(CLI::App& verb, std::optional<Look>& look, const std::string& help) {
+void add_view_option(CLI::App& verb, std::optional<LookFrom>& look, const std::string& help) {
     const auto parse = [&look](const std::string& text) {
         const std::string expected = "a turn and an elevation in degrees, TURN,ELEVATION, the elevation from -90 to 90";
         const std::vector<double> degrees = parse_numbers("--view", expected, text, 2);
         constexpr double straight = 90, most_turns = 1e6;
         if (!(std::abs(degrees[1]) <= straight && std::abs(degrees[0]) <= most_turns)) fail("--view", expected, text);
-        look = Look{degrees[0], degrees[1]};
+        look = LookFrom{degrees[0], degrees[1]};
     };
     verb.add_option_function<std::string>("--view", parse, help)->type_name("TURN,ELEVATION");
 }

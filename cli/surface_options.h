@@ -16,7 +16,7 @@
 namespace rinceau {
 
 /// Where a picture is seen from, degrees.
-struct Look {
+struct LookFrom {
     double turn = 30;       ///< round the up axis from the front
     double elevation = 20;  ///< above the horizon, -90 to 90
 };
@@ -28,7 +28,7 @@ void add_plane_option(CLI::App& verb, std::optional<Point>& size, const std::str
 /// `--up y|z`
 void add_up_option(CLI::App& verb, UpAxis& up, const std::string& help);
 /// `--view TURN,ELEVATION`
-void add_view_option(CLI::App& verb, std::optional<Look>& look, const std::string& help);
+void add_view_option(CLI::App& verb, std::optional<LookFrom>& look, const std::string& help);
 
 constexpr int widest_png = 16384;  ///< pixels
 
