@@ -15,6 +15,8 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double touch_share = 0.02;       // of the smaller diagonal: a gap that is none
+constexpr double near_share = 0.5;         // of the smaller diagonal
+constexpr double support_size = 1.3;       // diagonal of what holds an element, by its own
 constexpr std::size_t most_pairs = 40000;  // of triangles that are compared for one pair of elements
 constexpr double compact_share = 0.6;      // of the drawing's hull that its elements' hulls cover
 constexpr int looks = 64;                  // across and along the drawing for that
@@ -61,15 +63,20 @@ std::optional<Point> touch(const Triangle& a, const Triangle& b, double gap) {
     return std::nullopt;
 }
 
+Point middle_of_common(const Box& a, const Box& b) {
+    return center(Box{{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+                      {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}});
+}
+
+double smaller_size(const DrawnElement& a, const DrawnElement& b) { return std::min(diagonal(a.box), diagonal(b.box)); }
+
 std::optional<Point> touch(const DrawnElement& a, const DrawnElement& b) {
-    const double gap = touch_share * std::min(diagonal(a.box), diagonal(b.box));
+    const double gap = touch_share * smaller_size(a, b);
     if (!overlap(grown(a.box, gap), b.box)) return std::nullopt;
     const std::vector<Triangle> of_a = triangles_near(a, grown(b.box, gap)), of_b = triangles_near(b, grown(a.box, gap));
     if (of_a.size() * of_b.size() > most_pairs) {
         if (!scaled_hulls_overlap(a.hull, b.hull, 1 + touch_share)) return std::nullopt;
-        const Box common{{std::max(a.box.low.x, b.box.low.x), std::max(a.box.low.y, b.box.low.y)},
-                         {std::min(a.box.high.x, b.box.high.x), std::min(a.box.high.y, b.box.high.y)}};
-        return center(common);
+        return middle_of_common(a.box, b.box);
     }
     for (const Triangle& x : of_a) {
         const Box near = grown(box_of(x), gap);
@@ -79,6 +86,27 @@ std::optional<Point> touch(const DrawnElement& a, const DrawnElement& b) {
         }
     }
     return std::nullopt;
+}
+
+/// Distance of the hulls and the place in the middle of it.
+struct Gap {
+    double width = std::numeric_limits<double>::infinity();
+    Point at;
+};
+Gap gap_between(const DrawnElement& a, const DrawnElement& b) {
+    if (scaled_hulls_overlap(a.hull, b.hull, 1)) return {0, middle_of_common(a.box, b.box)};
+    Gap gap;
+    for (const auto& [from, to] : {std::pair{&a.hull, &b.hull}, std::pair{&b.hull, &a.hull}})
+        for (const Point p : *from)
+            for (std::size_t k = 0; k < to->size(); ++k) {
+                const Point q = nearest_on((*to)[k], (*to)[(k + 1) % to->size()], p);
+                if (abs(q - p) < gap.width) gap = {abs(q - p), 0.5 * (p + q)};
+            }
+    return gap;
+}
+
+void set_touching(std::vector<ElementContact>& contacts, int other) {
+    for (ElementContact& contact : contacts) contact.touching |= contact.other == other;
 }
 
 bool inside(const std::vector<Point>& hull, Point p) {
@@ -97,7 +125,7 @@ void visit_parts(const std::vector<std::vector<ElementContact>>& contacts, Chose
         known[first] = true;
         for (std::size_t next = 0; next < part.size(); ++next)
             for (const ElementContact& contact : contacts[at(part[next])]) {
-                if (known[at(contact.other)] || !chosen(contact.other)) continue;
+                if (!contact.touching || known[at(contact.other)] || !chosen(contact.other)) continue;
                 known[at(contact.other)] = true;
                 part.push_back(contact.other);
             }
@@ -112,21 +140,65 @@ std::vector<std::vector<ElementContact>> element_contacts(std::span<const DrawnE
     std::vector<int> order;
     for (std::size_t i = 0; i < elements.size(); ++i)
         if (elements[i].art != nullptr && !is_empty(elements[i].box)) order.push_back(static_cast<int>(i));
-    const auto reach = [&](int i) { return touch_share * diagonal(elements[at(i)].box); };
+    const auto reach = [&](int i) { return near_share * diagonal(elements[at(i)].box); };
     std::ranges::stable_sort(order, {}, [&](int i) { return elements[at(i)].box.low.x - reach(i); });
+    std::vector<double> nearest_gap(elements.size(), std::numeric_limits<double>::infinity());
+    std::vector<int> nearest(elements.size(), -1);
+    const auto join = [&](int i, int other, Point place, double gap) {
+        contacts[at(i)].push_back({other, place, gap == 0});
+        if (gap >= nearest_gap[at(i)]) return;
+        nearest_gap[at(i)] = gap;
+        nearest[at(i)] = other;
+    };
     std::vector<int> open;  // boxes that the sweep over x has begun and not ended
     for (const int i : order) {
         const double x = elements[at(i)].box.low.x - reach(i);
         std::erase_if(open, [&](int other) { return elements[at(other)].box.high.x + reach(other) < x; });
-        for (const int other : open)
-            if (const std::optional<Point> place = touch(elements[at(i)], elements[at(other)])) {
-                contacts[at(i)].push_back({other, *place});
-                contacts[at(other)].push_back({i, *place});
+        for (const int other : open) {
+            const DrawnElement &a = elements[at(i)], &b = elements[at(other)];
+            const double near = near_share * smaller_size(a, b);
+            if (!overlap(grown(a.box, near), b.box)) continue;
+            Gap gap;
+            if (const std::optional<Point> place = touch(a, b)) {
+                gap = {0, *place};
+            } else {
+                gap = gap_between(a, b);
+                gap.width = std::max(gap.width, touch_share * near);
             }
+            if (gap.width > near) continue;
+            join(i, other, gap.at, gap.width);
+            join(other, i, gap.at, gap.width);
+        }
         open.push_back(i);
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (nearest[i] < 0 || nearest_gap[i] == 0) continue;
+        set_touching(contacts[i], nearest[i]);
+        set_touching(contacts[at(nearest[i])], static_cast<int>(i));
     }
     for (auto& of_one : contacts) std::ranges::sort(of_one, {}, &ElementContact::other);
     return contacts;
+}
+
+std::vector<int> element_supports(std::span<const DrawnElement> elements,
+                                  const std::vector<std::vector<ElementContact>>& contacts) {
+    std::vector<int> support(elements.size(), -1);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const ElementContact& contact : contacts[i]) {
+            const double size = diagonal(elements[at(contact.other)].box);
+            if (!contact.touching || size < support_size * diagonal(elements[i].box) || size >= least) continue;
+            least = size;
+            support[i] = contact.other;
+        }
+    }
+    return support;
+}
+
+ElementTies element_ties(std::span<const DrawnElement> elements) {
+    ElementTies ties{is_compact(elements), element_contacts(elements), {}};
+    ties.support = element_supports(elements, ties.contacts);
+    return ties;
 }
 
 bool is_compact(std::span<const DrawnElement> elements) {
@@ -160,7 +232,12 @@ bool is_compact(std::span<const DrawnElement> elements) {
     return filled >= compact_share * there;
 }
 
-std::vector<bool> elements_held(const std::vector<std::vector<ElementContact>>& contacts, const std::vector<double>& area) {
+std::vector<bool> elements_held(const ElementTies& ties, std::vector<double> area) {
+    const auto& contacts = ties.contacts;
+    // each support is larger than what it holds, so that the way to its end has no circles
+    for (std::size_t i = 0; i < area.size(); ++i)
+        for (int below = ties.support[i]; below >= 0 && area[i] > 0; below = ties.support[at(below)])
+            if (!(area[at(below)] > 0)) area[i] = 0;
     std::vector<int> whole_of(contacts.size(), -1);
     int wholes = 0;
     visit_parts(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "growth/surface/laid_meshes.h"
 #include "growth/surface/start_place.h"
@@ -21,8 +22,8 @@ constexpr double curve_deviation = 4e-3;   // of an element's radius
 constexpr double finest_deviation = 2e-5;  // of the surface's diagonal
 constexpr double background_share = 0.97;  // of the drawing's box that an element fills to be its background
 
-/// A drawing that does not lie whole at its own size is tried smaller, down to this share of it: what would come apart
-/// when walked is better small than in pieces.
+/// A drawing that does not lie whole at its own size is tried smaller, down to this share of it; a compact one, which would
+/// come apart when walked, then also stretched, and smaller.
 constexpr double smaller_step = 0.8;
 constexpr double least_share = 0.4, least_compact_share = 0.2;
 
@@ -164,8 +165,7 @@ GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, co
         if (element.art != nullptr) drawn = including(drawn, element.box);
     if (is_empty(drawn)) drawn = all;
     LayScriptOptions laying{options.lay, options.stretch, options.meet_itself, options.height > 0};
-    laying.compact = is_compact(elements);
-    laying.contacts = element_contacts(elements);
+    laying.ties = element_ties(elements);
     const auto lay_at = [&](double scale) {
         const TurtleWays ways_at{field, options.follow, scale};
         return lay_script(surface, script, elements, ways_at, first_stand(surface, field, options, ways_at, drawn), laying,
@@ -174,8 +174,11 @@ GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, co
     LaidScript laid;
     const bool may_choose = !(options.scale > 0) && options.lay != LayGroups::never;
     laying.whole_only = true;
-    const double least = laying.compact ? least_compact_share : least_share;
-    for (double share = 1; may_choose && !laid.whole && share > least; share *= smaller_step)
+    const bool is_compact = std::exchange(laying.ties.compact, false);
+    for (double share = 1; may_choose && !laid.whole && share > least_share; share *= smaller_step)
+        laid = lay_at(share * ways.scale);
+    laying.ties.compact = is_compact;
+    for (double share = 1; may_choose && is_compact && !laid.whole && share > least_compact_share; share *= smaller_step)
         laid = lay_at(share * ways.scale);
     laying.whole_only = false;
     if (!laid.whole) laid = lay_at(ways.scale);

@@ -44,20 +44,23 @@ class ScriptLayer {
           layer_(surface, ways.scale, options.rims),
           turtle_(surface, ways, start),
           before_(script.deeds.size() + 1, 0),
-          shape_of_(elements.size(), -1) {
+          shape_of_(elements.size(), -1),
+          tried_(elements.size(), false) {
         for (std::size_t i = 0; i < script.deeds.size(); ++i)
             before_[i + 1] = before_[i] + (script.deeds[i].kind == TurtleEventKind::placed ? 1 : 0);
     }
 
     LaidScript run(const Progress& progress) {
         const int count = static_cast<int>(script_.deeds.size());
-        if (count == 0 || lay_at_once(drawn_elements(0, count - 1)) || options_.whole_only) return std::move(laid_);
+        const std::vector<int> all = count > 0 ? drawn_elements(0, count - 1) : std::vector<int>{};
+        if (lay_at_once(all) || options_.whole_only) return std::move(laid_);
         constexpr int between_reports = 256;
         for (int i = 0; i < count;) {
             if (i % between_reports == 0) report(progress, "lay", static_cast<double>(i) / count);
             i = pass(i);
         }
         cut_loose();
+        laid_.stopped = static_cast<long>(all.size() - laid_.shapes.size() - laid_.dropped.size());
         return std::move(laid_);
     }
 
@@ -72,6 +75,7 @@ class ScriptLayer {
     SurfaceTurtle turtle_;
     std::vector<int> before_;    ///< elements before each deed
     std::vector<int> shape_of_;  ///< by element; -1: not laid
+    std::vector<bool> tried_;    ///< by element
     LaidOverlaps overlaps_;
     long relaxed_ = 0;
     LaidScript laid_;
@@ -121,14 +125,14 @@ class ScriptLayer {
         if (!middle) return false;
         const double most_radius = largest_group * surface_.diagonal / ways_.scale;
         if (disc.radius <= most_radius) {
-            const LayWholeOptions whole{ways_.field, ways_.follow, options_.stretch, options_.compact};
+            const LayWholeOptions whole{ways_.field, ways_.follow, options_.stretch, options_.ties.compact};
             if (auto shapes = lay_whole(layer_, *middle, disc, elements_, chosen, whole)) {
                 for (LaidShape& shape : *shapes) keep(std::move(shape));
                 laid_.whole = true;
                 return true;
             }
         }
-        return options_.compact && !options_.whole_only &&
+        return options_.ties.compact && !options_.whole_only &&
                keep_part(lay_part(layer_, *middle, std::min(disc.radius, most_radius), elements_, chosen), chosen);
     }
 
@@ -139,18 +143,18 @@ class ScriptLayer {
                 all += layer.area * norm(ways_.scale * elements_[at(e)].pose.linear);
         for (const LaidShape& shape : shapes) area += shape.area;
         if (area < part_share * all) return false;
-        laid_.stopped += static_cast<long>(chosen.size() - shapes.size());
         for (LaidShape& shape : shapes) keep(std::move(shape));
         cut_loose();
+        laid_.stopped = static_cast<long>(chosen.size() - laid_.shapes.size());
         return true;
     }
 
     /// Takes away what no longer hangs together with the rest.
     void cut_loose() {
-        if (options_.contacts.empty()) return;
+        if (options_.ties.contacts.empty()) return;
         std::vector<double> area(elements_.size(), 0);
         for (const LaidShape& shape : laid_.shapes) area[at(shape.element)] = shape.area;
-        const std::vector<bool> held = elements_held(options_.contacts, area);
+        const std::vector<bool> held = elements_held(options_.ties, std::move(area));
         LaidScript kept;
         std::vector<int> now(laid_.shapes.size(), -1);
         for (std::size_t i = 0; i < laid_.shapes.size(); ++i) {
@@ -161,7 +165,6 @@ class ScriptLayer {
             for (const int other : laid_.covers[i])
                 if (now[at(other)] >= 0) covers.push_back(now[at(other)]);
         }
-        laid_.stopped += static_cast<long>(laid_.shapes.size() - kept.shapes.size());
         laid_.shapes = std::move(kept.shapes);
         laid_.covers = std::move(kept.covers);
     }
@@ -179,9 +182,9 @@ class ScriptLayer {
     Basis basis(const std::vector<int>& chosen, Point centre) const {
         const ElementContact* best = nullptr;
         double best_way = std::numeric_limits<double>::infinity();
-        if (!options_.contacts.empty())
+        if (!options_.ties.contacts.empty())
             for (const int e : chosen)
-                for (const ElementContact& contact : options_.contacts[at(e)]) {
+                for (const ElementContact& contact : options_.ties.contacts[at(e)]) {
                     if (shape_of_[at(contact.other)] < 0) continue;
                     const double way = abs(in_chart(contact)) / ways_.scale + abs(centre - contact.at);
                     if (way >= best_way) continue;
@@ -203,6 +206,13 @@ class ScriptLayer {
         const auto ahead = moved(surface_, straight_, *hinge, centre);
         if (ahead && follows()) hinge->turn = hinge->turn * polar(1, ways_.follow * field_turning(from, *ahead));
         return {*hinge};
+    }
+
+    /// Is what the element hangs on tried and not laid?
+    bool hangs_on_lost(int element) const {
+        if (options_.ties.support.empty()) return false;
+        const int support = options_.ties.support[at(element)];
+        return support >= 0 && tried_[at(support)] && shape_of_[at(support)] < 0;
     }
 
     /// Of a contact with a laid element, in that element's chart.
@@ -228,7 +238,7 @@ class ScriptLayer {
     bool try_group(int first, int last) {
         if (last < 0 || options_.groups == LayGroups::never || !turtle_.goes()) return false;
         const std::vector<int> chosen = drawn_elements(first, last);
-        if (chosen.size() < 2) return false;
+        if (chosen.size() < 2 || std::ranges::any_of(chosen, [&](int e) { return hangs_on_lost(e); })) return false;
         const DrawnDisc disc = disc_of(elements_, chosen);
         if (ways_.scale * disc.radius > largest_group * surface_.diagonal) return false;
         const Basis from = basis(chosen, disc.centre);
@@ -319,22 +329,22 @@ class ScriptLayer {
                 break;
             }
         }
+        const std::vector<int> stack = drawn_elements(i, end - 1);
         if (turtle_.goes()) {
-            lay_stack(drawn_elements(i, end - 1));
+            lay_stack(stack);
             turtle_.move(script_.deeds[at(end - 1)].to);
         }
+        for (const int e : stack) tried_[at(e)] = true;
         return end;
     }
 
-    void lay_stack(const std::vector<int>& chosen) {
+    void lay_stack(std::vector<int> chosen) {
+        std::erase_if(chosen, [&](int e) { return hangs_on_lost(e); });
         if (chosen.empty()) return;
         const DrawnDisc disc = disc_of(elements_, chosen);
         const Basis from = basis(chosen, disc.centre);
         const std::optional<DrawingStand> middle = moved(surface_, from.ways(straight_), from.stand, disc.centre);
-        if (!middle) {
-            laid_.stopped += static_cast<long>(chosen.size());
-            return;
-        }
+        if (!middle) return;
         group_chart_ = layer_.polar_chart(*middle, disc.radius);
         ElementLayer::Result result =
             layer_.lay(*group_chart_, elements_, chosen, options_.stretch, {from.size, disc.centre});
@@ -378,10 +388,11 @@ class ScriptLayer {
             }
         if (chosen.size() > 1) {
             laid_.split += static_cast<long>(chosen.size());
-            for (const int e : chosen) lay_stack({e});
-        } else if (outside) {
-            ++laid_.stopped;
-        } else {
+            for (const int e : chosen) {
+                lay_stack({e});
+                tried_[at(e)] = true;
+            }
+        } else if (!outside) {
             laid_.dropped.push_back({chosen.front(), middle.at});
         }
     }
@@ -390,7 +401,6 @@ class ScriptLayer {
 
     void keep_unless_met(std::vector<LaidShape> shapes) {
         if (meets_any(shapes)) {
-            laid_.stopped += static_cast<long>(shapes.size());
             turtle_.stop();
             return;
         }

@@ -21,11 +21,11 @@ struct LayScriptOptions {
     double stretch = 1.5;      ///< that an element may have; a group half of it above 1
     bool meet_itself = false;  ///< keep elements that overlap on the surface but not in the drawing
     bool rims = false;         ///< lay outlines too, for walls
-    bool compact = false;      ///< is_compact(): one chart as far as it reaches, instead of a walk
     bool whole_only = false;   ///< nothing unless the whole drawing lies in one chart
-    /// Of the elements: one that touches a laid one is set out from there, and what no longer hangs together with the rest
-    /// is taken away. Empty: all by the turtle alone.
-    std::vector<std::vector<ElementContact>> contacts;
+    /// A compact drawing goes through one chart as far as that reaches, instead of a walk. An element that is near a laid
+    /// one is set out from there; what has lost its support, or no longer hangs together with the rest, stops. Empty: all by
+    /// the turtle alone.
+    ElementTies ties = {};
 };
 
 /// An element that could not be laid, and where the turtle stood.
