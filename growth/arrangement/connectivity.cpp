@@ -274,7 +274,7 @@ Connectivity connectivity_of(std::span<const Point> points, const ConnectivityOp
 
 std::optional<Faces> flipped_edge(std::span<const Point> points, const Connectivity& connectivity,
                                   std::pair<int, int> edge) {
-    const auto [a, b] = edge;
+    const int a = edge.first, b = edge.second;
     const IndexMap left = faces_left_of_edges(connectivity.faces);
     const int f = left.find(edge_key(a, b));
     const int g = left.find(edge_key(b, a));

@@ -146,7 +146,8 @@ LayFault lay_triangles(const SurfaceMesh& surface, const DrawingChart& chart, co
 
 void lay_lines(const SurfaceMesh& surface, const DrawingChart& chart, std::span<const std::array<Point, 2>> lines,
                ChartVisits& visits, LaidPieces& laid) {
-    for (const auto& [start, end] : lines) {
+    for (const std::array<Point, 2>& line : lines) {
+        const Point start = line[0], end = line[1];  // clang 14 does not capture structured bindings
         Box box;
         box = including(including(box, start), end);
         visit_chart(chart, box, visits, [&](int t) {
