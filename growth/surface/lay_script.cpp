@@ -125,7 +125,8 @@ class ScriptLayer {
         if (!middle) return false;
         const double most_radius = largest_group * surface_.diagonal / ways_.scale;
         if (disc.radius <= most_radius) {
-            const LayWholeOptions whole{ways_.field, ways_.follow, options_.stretch, options_.ties.compact};
+            const LayWholeOptions whole{ways_.field, ways_.follow, options_.stretch, options_.ties.compact,
+                                        options_.whole_only};
             if (auto shapes = lay_whole(layer_, *middle, disc, elements_, chosen, whole)) {
                 for (LaidShape& shape : *shapes) keep(std::move(shape));
                 laid_.whole = true;

@@ -37,8 +37,10 @@ std::optional<std::vector<LaidShape>> lay_whole(ElementLayer& layer, const Drawi
     if (is_guided) {
         for (const double share : follows)
             if (auto shapes = lay(layer.bent(sheet, *options.field, share * options.follow), options.stretch)) return shapes;
-    } else if (auto shapes = lay(sheet, group_stretch)) {
-        return shapes;
+    } else {
+        if (auto shapes = lay(sheet, group_stretch)) return shapes;
+        if (!options.may_be_smaller)
+            if (auto shapes = lay(sheet, options.stretch)) return shapes;
     }
     if (!options.compact) return std::nullopt;
     return lay(sheet, std::max(options.stretch, most_compact_stretch));

@@ -11,8 +11,9 @@ namespace rinceau {
 struct LayWholeOptions {
     const FieldOnSurface* field = nullptr;  ///< the chart is bent along it
     double follow = 0.4;                    ///< of the field's turning, at most
-    double stretch = 1.5;                   ///< that an element may have; without a field half of it above 1
+    double stretch = 1.5;                   ///< that an element may have; half of it above 1 is tried first without a field
     bool compact = false;                   ///< is_compact(): rather stretched up to most_compact_stretch than in pieces
+    bool may_be_smaller = false;            ///< rather that than stretched by more than half, without a field
 };
 
 /// Neighbours that touch hide the stretch, gaps between them would be seen.
