@@ -372,21 +372,25 @@ class ScriptLayer {
     /// What does not lie well in its polar chart: along its spine, less stretch, less size, its parts alone, or not at all.
     void cure(const DrawingStand& middle, const DrawnDisc& disc, const std::vector<int>& chosen, const Basis& from) {
         if (chosen.size() == 1 && lay_along_spine(chosen.front())) return;
-        const ElementChart relaxed = layer_.relaxed_polar_chart(middle, disc.radius);
         // it stays where it is held: at what it touches, or in the middle of what it stands on
         const Point about = from.size == 1 ? from.stand.drawn : disc.centre;
         constexpr double sizes[] = {1, 0.9, 0.8, 0.7, 0.6};
         bool outside = false;
-        for (const double size : sizes)
+        for (const double size : sizes) {
+            if (size > from.size) continue;
+            // relaxed over no more than it needs: what lies farther out would take its share of the stretch to it
+            const double reach = size * disc.radius + (1 - size) * abs(about - disc.centre);
+            const ElementChart relaxed = layer_.relaxed_polar_chart(middle, reach);
             for (const ElementChart* chart :
                  std::array<const ElementChart*, 2>{&relaxed, size < 1 ? &*group_chart_ : nullptr}) {
-                if (chart == nullptr || size > from.size) continue;
+                if (chart == nullptr) continue;
                 ElementLayer::Result result = layer_.lay(*chart, elements_, chosen, options_.stretch, {size, about});
                 outside |= result.fault == LayFault::outside;
                 if (result.fault != LayFault::none) continue;
                 if (size < 1) laid_.shrunk += static_cast<long>(chosen.size());
                 return keep_unless_met(std::move(result.shapes));
             }
+        }
         if (chosen.size() > 1) {
             laid_.split += static_cast<long>(chosen.size());
             for (const int e : chosen) {
