@@ -9,7 +9,7 @@ namespace rinceau {
 
 struct TraceOptions {
     double step = 0.5;   ///< largest, of the surface's longest edge
-    double turn = 4;     ///< degrees that the field may turn in half a step before the step is halved
+    double turn = 2.5;   ///< degrees that the field may turn in half a step before the step is halved
     double jump = 0.02;  ///< nearness to a singular point at which the walk jumps over it, of the longest edge; 0 = never
     double follow =
         1;  ///< 1 = at a constant angle to the field, 0 = straight; between: turned by that share of the field's turn
