@@ -1,5 +1,6 @@
 # Removes what an installation has put somewhere, and the project's folders that are empty then.
 #   cmake -D MANIFEST=<install_manifest.txt> -P uninstall.cmake
+cmake_minimum_required(VERSION 3.25)
 if(NOT EXISTS "${MANIFEST}")
   message(FATAL_ERROR "Nothing was installed from here: there is no ${MANIFEST}")
 endif()
@@ -10,7 +11,7 @@ foreach(file IN LISTS files)
   message(STATUS "Removed: $ENV{DESTDIR}${file}")
   # The folders named after the project, and those in them.
   cmake_path(GET file PARENT_PATH folder)
-  while(folder MATCHES "/(include|cmake|share|doc|extensions)/rinceau(/|$)" AND NOT folder IN_LIST folders)
+  while(folder MATCHES "/(include|cmake|share|doc|extensions)/(lib)?rinceau(-editor|-dev)?(/|$)" AND NOT folder IN_LIST folders)
     list(APPEND folders "${folder}")
     cmake_path(GET folder PARENT_PATH folder)
   endwhile()

@@ -94,7 +94,7 @@ def editor_is_told_to_the_desktop(installation, version):
 
 def second_project_finds_rules(installation, source, version, compiler, flags, folder):
     """The library, found by CMake and linked into another program, says what the installed program says."""
-    prefix = installation.path('/cmake/rinceau/rinceauConfig.cmake').parents[3]
+    prefix = installation.path('/bin/rinceau').parents[1]
     project = pathlib.Path(source) / 'tests/package/second_project'
     wanted = '.'.join(version.split('.')[:2])
     configure = [installation.cmake, '-S', project, '-B', folder / 'build', '-G', 'Ninja', f'-DCMAKE_PREFIX_PATH={prefix}',
