@@ -54,8 +54,8 @@ class Root:
     def dpkg(self, *words):
         return run(*AS_ROOT, 'dpkg', f'--root={self.folder}', '--log=/dev/null', '--force-depends', *words)
 
-    def state(self, package):
-        return run('dpkg-query', f'--admindir={self.folder}/var/lib/dpkg', '-W', '-f=${db:Status-Status}', package)
+    def known_packages(self):
+        return set(re.findall(r'^Package: (.*)$', (self.folder / 'var/lib/dpkg/status').read_text(), flags=re.M))
 
     def entries(self):
         """All files and folders but dpkg's."""
@@ -127,16 +127,16 @@ def lintian_finds_no_error(packages):
         print('lintian is not installed: the packages were not read by it')
         return
     # The packager's address is whatever was asked for.
-    said = subprocess.run(['lintian', '--allow-root', '--suppress-tags', 'bogus-mail-host,mail-address-loops-or-bounces',
+    said = subprocess.run(['lintian', '--allow-root', '--suppress-tags', 'bogus-mail-host,bogus-mail-host-in-debian-changelog',
                            *map(str, packages.files.values())], capture_output=True, text=True, env=ENVIRONMENT).stdout
     print(said, end='')
     assert not re.search(r'^E:', said, flags=re.M)
 
 
 def removing_leaves_nothing(root):
+    assert root.known_packages() == PACKAGES
     root.dpkg('--remove', *PACKAGES)
-    for package in PACKAGES:  # without settings of its own, a removed package is a purged one
-        assert 'not-installed' in root.state(package) or root.state(package) == '', root.state(package)
+    assert root.known_packages() == set(), 'packages without settings are forgotten when they are removed'
     assert root.entries() == [], root.entries()
 
 
