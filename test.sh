@@ -2,6 +2,8 @@
 # Installs what the tests need, builds everything with warnings as errors, runs every test.
 # The last line reads "N passed, M failed"; the exit status is 0 only if M = 0.
 set -euo pipefail
+# ./test.sh package: makes the packages for Debian and tests those, instead.
+[ "${1-}" != package ] || exec "$(dirname -- "${BASH_SOURCE[0]}")/tests/package/package.sh"
 
 preset=dev
 case ${1-} in

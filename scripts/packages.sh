@@ -14,6 +14,9 @@ test_packages=(catch2 libbullet-dev librsvg2-bin python3 python3-numpy python3-p
 command -v node >/dev/null || test_packages+=(nodejs)
 command -v npm >/dev/null || test_packages+=(npm)
 
+# To make packages for Debian and to test them, on top of what a build needs.
+package_packages=(dpkg-dev fakeroot file lintian desktop-file-utils shared-mime-info appstream python3)
+
 say() { printf '%s\n' "$*" >&2; }
 
 is_debian() { command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; }

@@ -1,10 +1,28 @@
-# Removes what an installation has put somewhere.  cmake -D MANIFEST=<install_manifest.txt> -P uninstall.cmake
+# Removes what an installation has put somewhere, and the project's folders that are empty then.
+#   cmake -D MANIFEST=<install_manifest.txt> -P uninstall.cmake
+cmake_minimum_required(VERSION 3.25)
 if(NOT EXISTS "${MANIFEST}")
   message(FATAL_ERROR "Nothing was installed from here: there is no ${MANIFEST}")
 endif()
 file(STRINGS "${MANIFEST}" files)
+set(folders "")
 foreach(file IN LISTS files)
   file(REMOVE "$ENV{DESTDIR}${file}")
   message(STATUS "Removed: $ENV{DESTDIR}${file}")
+  # The folders named after the project, and those in them.
+  cmake_path(GET file PARENT_PATH folder)
+  while(folder MATCHES "/(include|cmake|share|doc|extensions)/(lib)?rinceau(-editor|-dev)?(/|$)" AND NOT folder IN_LIST folders)
+    list(APPEND folders "${folder}")
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile()
+endforeach()
+# The inner ones first; what holds anything else stays.
+list(SORT folders ORDER DESCENDING)
+foreach(folder IN LISTS folders)
+  file(GLOB left "$ENV{DESTDIR}${folder}/*" "$ENV{DESTDIR}${folder}/.*")
+  if(IS_DIRECTORY "$ENV{DESTDIR}${folder}" AND left STREQUAL "")
+    file(REMOVE_RECURSE "$ENV{DESTDIR}${folder}")
+    message(STATUS "Removed: $ENV{DESTDIR}${folder}")
+  endif()
 endforeach()
 file(REMOVE "${MANIFEST}")

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
     constexpr float least_scale = 0.5F;
     constexpr float greatest_scale = 4;
     std::string size;
+    program.set_version_flag("--version", "rinceau-editor " RINCEAU_VERSION)->description("Print the version");
     program.add_option("FILE", options.file, "A drawing (.svg), a grammar (.lsys) or a project");
     program.add_option("--screenshot", options.screenshot, "Draw the window into this PNG and leave")->type_name("FILE");
     program.add_option("--size", size, "Size of the window, or of the screenshot in pixels")->type_name("WxH");
