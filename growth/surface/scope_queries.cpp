@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "growth/surface/closed_streamline.h"
 #include "growth/surface/field_gradient.h"
 #include "growth/surface/plane_picture.h"
 
@@ -62,6 +63,13 @@ Complex gradient_of_length(const FieldOnSurface& field, SurfacePoint p) {
     const VectorGradient change = value_gradient(field, p);
     const Complex strength{dot(z, change.by_x) / abs(z), dot(z, change.by_y) / abs(z)};
     return field.n() == 2 ? strength + gradient_of(field.field().isotropic, field.surface(), p.face) : strength;
+}
+
+/// Of the line at a constant angle to the field; 0 for one that does not come back to its start.
+double loop_length(const FieldOnSurface& field, SurfacePoint p, Complex x) {
+    constexpr double finest_row = 0.02;  // step of a row, of the diagonal: the line may miss its start by half of it
+    const auto row = closed_row(field.surface(), &field, p, x, finest_row * field.surface().diagonal);
+    return row ? row->length : 0;
 }
 
 /// Of the field line, for vectors of any length.
@@ -144,6 +152,8 @@ double ScopeQueries::of_field(const ShapeQuery& query) {
             return field.index(p.face);
         case FieldQuantity::distance:
             return to_singular_point(query.field, field);
+        case FieldQuantity::loop:
+            return loop_length(field, p, scope_->x);
         case FieldQuantity::red:
         case FieldQuantity::green:
         case FieldQuantity::blue:

@@ -105,6 +105,7 @@ const std::vector<FieldQuantityInfo>& field_quantities() {
         {"gradient", Quantity::gradient, true},
         {"index", Quantity::index, false},
         {"dist", Quantity::distance, false},
+        {"loop", Quantity::loop, false},
         {"red", Quantity::red, false},
         {"green", Quantity::green, false},
         {"blue", Quantity::blue, false},

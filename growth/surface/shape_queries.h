@@ -31,6 +31,7 @@ enum class FieldQuantity : unsigned char {
     gradient,    ///< component in space of the gradient of value where there are numbers by vertex, else of length1
     index,       ///< of the face: in n-th parts of a turn
     distance,    ///< dist: in space, to the nearest singular point; the surface's diagonal if there is none
+    loop,        ///< length of the line that goes on along the scope's X, at its angle to the field, if it closes; else 0
     red,         ///< of an image's colour at the place, 0 .. 255
     green,       ///< likewise
     blue,        ///< likewise

@@ -115,3 +115,13 @@ Lay(n) : n < 0 ~ I("a")
         grown("shape a = box\naxiom nearest 5 5 0 More\nMore : count(\"a\") < 7 ~ S(0.1) I(\"a\") T(0.2,0,0) More\n", world);
     CHECK(counted.placed.size() == 7);
 }
+
+TEST_CASE("a line that comes back to its start has a length, one that does not has none") {
+    SurfaceWorld world = plane_with({true, {5, 5}, 0}, 1);
+    auto found = asked(world, "axiom nearest 7 5 0 Rz(90)", {"F1.loop"});
+    CHECK(found["F1.loop"] == Approx(2 * pi * 2).epsilon(2e-3));  // a circle about the centre
+    found = asked(world, "axiom nearest 7 5 0 Rz(80)", {"F1.loop"});
+    CHECK(found["F1.loop"] == 0);  // a spiral
+    found = asked(world, "axiom nearest 7 5 0", {"F1.loop"});
+    CHECK(found["F1.loop"] == 0);  // out to the border
+}
