@@ -103,9 +103,8 @@ RowPlaces whole_rows(BatchJournal& journal, const BatchDrawings& batch, const Ba
     RowPlaces places = journal.find_rows(batch.drawings, work.options);
     for (std::size_t i = 0; i < places.size(); ++i) {
         report(progress, "looking for what is whole", static_cast<double>(i) / static_cast<double>(places.size()));
-        const BatchDrawing& drawing = batch.drawings[i];
-        const std::string stem(output_stem(drawing));
-        if (places[i] && !is_whole(journal.read(*places[i]), work, input_name(batch, drawing), stem)) places[i].reset();
+        const std::string input = input_name(batch, batch.drawings[i]);
+        if (places[i] && !is_whole(journal.read(*places[i]), work, input)) places[i].reset();
     }
     return places;
 }

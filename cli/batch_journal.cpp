@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <functional>
 
 #include "files/output_error.h"
 #include "files/output_file.h"

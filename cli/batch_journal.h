@@ -2,10 +2,11 @@
 // The rows of a batch as they come: a file to which a line is appended for every drawing that has ended.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/batch_drawings.h"
 #include "cli/batch_row.h"

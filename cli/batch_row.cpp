@@ -22,6 +22,7 @@ BatchRow row_of(const Json& json, BatchStatus status) {
             .options = json.at("options"),
             .bytes = json.at("bytes"),
             .fingerprint = json.at("fingerprint"),
+            .grammar_fingerprint = json.at("grammar_fingerprint"),
             .status = status,
             .message = json.at("message"),
             .elements = json.at("elements"),
@@ -60,7 +61,8 @@ std::string row_line(const BatchRow& row) {
                     {"seconds", row.seconds},
                     {"options", row.options},
                     {"bytes", row.bytes},
-                    {"fingerprint", row.fingerprint}};
+                    {"fingerprint", row.fingerprint},
+                    {"grammar_fingerprint", row.grammar_fingerprint}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -16,10 +16,11 @@ enum class BatchStatus : unsigned char { done, input_at_fault, limit_reached, ou
 std::string_view status_word(BatchStatus status);
 
 struct BatchRow {
-    std::string drawing;            ///< output_stem()
-    std::string options;            ///< all that the result depends on beside the drawing, as text
-    std::uint64_t bytes = 0;        ///< of the drawing's file
-    std::uint64_t fingerprint = 0;  ///< of the same; 0 and no bytes = it could not be read
+    std::string drawing;                    ///< output_stem()
+    std::string options;                    ///< all that the result depends on beside the drawing, as text
+    std::uint64_t bytes = 0;                ///< of the drawing's file
+    std::uint64_t fingerprint = 0;          ///< of the same; 0 and no bytes = it could not be read
+    std::uint64_t grammar_fingerprint = 0;  ///< of the grammar's text, if it is done
     BatchStatus status = BatchStatus::crashed;
     std::string message;  ///< why it is not done
     int elements = 0;

@@ -100,7 +100,9 @@ void analyze_and_write(const BatchWork& work, const std::string& input, BatchRow
     expect_passed(analysis.report.check, input);
     tell_findings(analysis.report, row);
     tell_warnings(drawing.warnings, analysis.report.warnings, row);
-    put(work, grammar_file(stem), to_text(analysis.grammar));
+    const std::string grammar = to_text(analysis.grammar);
+    row.grammar_fingerprint = fingerprint(grammar);
+    put(work, grammar_file(stem), grammar);
     if (work.pictures) put_pictures(work, bytes, drawing.scene, analysis.grammar, row);
 }
 
@@ -134,22 +136,26 @@ BatchRow analyze_for_batch(const BatchWork& work, const std::string& input, cons
         failed(BatchStatus::limit_reached, input + ": the memory does not suffice");
     } catch (const OutputError& error) {
         failed(BatchStatus::output_not_written, error.what());
+    } catch (const std::exception& error) {
+        failed(BatchStatus::crashed, input + ": " + error.what());
     }
     return row;
 }
 
-bool is_whole(const BatchRow& row, const BatchWork& work, const std::string& input, const std::string& stem) {
+bool is_whole(const BatchRow& row, const BatchWork& work, const std::string& input) {
+    if (row.options != work.options) return false;
     if (row.status != BatchStatus::done && row.status != BatchStatus::input_at_fault) return false;
-    std::string bytes;
     try {
-        bytes = read_input(input);
+        const std::string bytes = read_input(input);
+        if (row.bytes != bytes.size() || row.fingerprint != fingerprint(bytes)) return false;
+        if (row.status == BatchStatus::input_at_fault) return true;
+        const fs::path grammar = fs::path(work.folder) / grammar_file(row.drawing);
+        if (row.grammar_fingerprint != fingerprint(read_input(grammar.string()))) return false;
     } catch (const std::runtime_error&) {
-        return false;  // the reason may be another one now
+        return false;  // what cannot be read: the reason may be another one now
     }
-    if (row.bytes != bytes.size() || row.fingerprint != fingerprint(bytes)) return false;
-    if (row.status == BatchStatus::input_at_fault) return true;
-    return exists(work, grammar_file(stem)) &&
-           (!work.pictures || (exists(work, picture_before_file(stem)) && exists(work, picture_after_file(stem))));
+    return !work.pictures ||
+           (exists(work, picture_before_file(row.drawing)) && exists(work, picture_after_file(row.drawing)));
 }
 
 }  // namespace rinceau

@@ -25,8 +25,8 @@ std::string picture_after_file(const std::string& stem);
 /// is wrong comes back in the row.
 BatchRow analyze_for_batch(const BatchWork& work, const std::string& input, const std::string& stem);
 
-/// Are these the bytes that the row is about, and is what its drawing gives all there? A drawing that was at fault gives
-/// nothing; what failed otherwise is not whole.
-bool is_whole(const BatchRow& row, const BatchWork& work, const std::string& input, const std::string& stem);
+/// Is the row about these options and this content of the drawing, and is what it gives all there as it was written? A
+/// drawing that was at fault gives nothing; what failed otherwise is not whole.
+bool is_whole(const BatchRow& row, const BatchWork& work, const std::string& input);
 
 }  // namespace rinceau
