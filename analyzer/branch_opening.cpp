@@ -142,7 +142,7 @@ SearchState without_stacks(SearchState state, int part, const std::vector<int>& 
     }
     std::ranges::sort(state.members[static_cast<std::size_t>(part)]);
     std::ranges::sort(touched);
-    touched.erase(std::ranges::unique(touched).begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     refresh(state, touched);
     return state;
 }

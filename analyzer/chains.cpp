@@ -174,8 +174,8 @@ Chain begun_at_lowest(const RuleSet& rules, Chain chain) {
     if (!chain.closed) return chain;
     const auto lowest = std::ranges::min_element(chain.items, {}, [&](int i) { return item_at(rules, i).first; });
     const auto shift = lowest - chain.items.begin();
-    std::ranges::rotate(chain.items, chain.items.begin() + shift);
-    std::ranges::rotate(chain.frames, chain.frames.begin() + shift);
+    std::rotate(chain.items.begin(), chain.items.begin() + shift, chain.items.end());
+    std::rotate(chain.frames.begin(), chain.frames.begin() + shift, chain.frames.end());
     return chain;
 }
 

@@ -111,7 +111,7 @@ std::vector<Precedence> by_direction(const std::vector<Chain>& chains, std::vect
             most = links[leading];
         }
     }
-    std::ranges::stable_partition(order, [&](const Precedence& next) {
+    std::stable_partition(order.begin(), order.end(), [&](const Precedence& next) {
         const int apart = std::abs(directions[next.index] - leading);
         return std::min(apart, 180 - apart) <= 1;
     });

@@ -81,7 +81,8 @@ std::vector<Chain> claimed_pairs(const RuleSet& rules, std::vector<PairCandidate
     std::vector<std::size_t> chosen = chosen_in_order(rules, candidates, order);
     if (chosen.size() < choices.size() && by_direction.size() > 1) {
         const int leading = leading_direction(by_direction);
-        std::ranges::stable_partition(order, [&](std::size_t c) { return alike(direction_of(candidates[c]), leading); });
+        std::stable_partition(order.begin(), order.end(),
+                              [&](std::size_t c) { return alike(direction_of(candidates[c]), leading); });
         std::vector<std::size_t> aligned = chosen_in_order(rules, candidates, order);
         const bool all_alike =
             std::ranges::all_of(aligned, [&](std::size_t c) { return alike(direction_of(candidates[c]), leading); });

@@ -89,7 +89,7 @@ class Tabulator {
             row.elements.push_back(point.to);
         }
         std::ranges::sort(row.elements);
-        row.elements.erase(std::ranges::unique(row.elements).begin(), row.elements.end());
+        row.elements.erase(std::unique(row.elements.begin(), row.elements.end()), row.elements.end());
         row.terms.nearness /= static_cast<double>(points.size());
         row.terms.similarity /= static_cast<double>(points.size());
         count_elements(row, one_look, next);

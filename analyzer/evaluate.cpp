@@ -38,7 +38,7 @@ std::vector<int> sources_of(const SearchState& state, const Hypothesis& hypothes
     std::vector<int> sources;
     for (const auto& [from, to] : hypothesis.votes) sources.push_back(from);
     std::ranges::sort(sources);
-    sources.erase(std::ranges::unique(sources).begin(), sources.end());
+    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
     return sources;
 }
 

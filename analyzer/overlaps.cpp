@@ -159,7 +159,7 @@ std::vector<OrderMatters> look_at_pairs(Search& search, const std::vector<Overla
         for (const int i : {pair.lower, pair.upper}) needed.push_back(static_cast<std::size_t>(i));
     }
     std::ranges::sort(needed);
-    needed.erase(std::ranges::unique(needed).begin(), needed.end());
+    needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
     for_each_index(needed.size(), threads, stage, progress, [&](std::size_t k, const Progress&) {
         const std::size_t i = needed[k];
         search.painted[i] = painted_element(search.scene.elements[i], sampling_deviation(search.pixels[i]));

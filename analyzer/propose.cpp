@@ -102,7 +102,9 @@ std::vector<Similarity> continuing_steps(const SearchState& state, const Part& p
     for (const Voters& vote : votes) {
         const Point here = state.item(vote.target).pose.translation;
         const Point way = here - state.item(vote.source).pose.translation;
-        for (const Voters& onward : std::ranges::equal_range(votes, vote.target, {}, &Voters::source)) {
+        const auto first = std::ranges::lower_bound(votes, vote.target, {}, &Voters::source);
+        const auto last = std::ranges::upper_bound(votes, vote.target, {}, &Voters::source);
+        for (const Voters& onward : std::span(first, last)) {
             if (onward.target == vote.source) continue;
             const Complex ratio = (state.item(onward.target).pose.translation - here) / way;
             for (Variant& variant : variants) {

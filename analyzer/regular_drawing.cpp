@@ -160,7 +160,7 @@ std::vector<int> turned_to(const Body& body, const Similarity& pose, int fold) {
     const double turn = arg(body.pose.linear / pose.linear) * fold / two_pi;
     const int members = ((static_cast<int>(std::lround(turn)) % fold) + fold) % fold;
     const auto each = static_cast<std::ptrdiff_t>(instances.size()) / fold;
-    std::ranges::rotate(instances, instances.end() - members * each);
+    std::rotate(instances.begin(), instances.end() - members * each, instances.end());
     return instances;
 }
 

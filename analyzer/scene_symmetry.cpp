@@ -76,7 +76,7 @@ std::optional<std::vector<int>> orbit_from(const Drawing& drawing, const PointGr
     if (orbit.front() != item) return std::nullopt;
     std::vector<int> distinct = orbit;
     std::ranges::sort(distinct);
-    distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
+    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     if (distinct.size() == orbit.size()) return orbit;
     // On a mirror axis every item comes twice.
     const bool on_axis = group.mirrored && distinct.size() == static_cast<std::size_t>(group.fold);

@@ -36,7 +36,8 @@ Orbits cut_into_sectors(const SearchState& state, const SceneSymmetry& symmetry)
     const double begin = start - 0.5 * widest;
     Orbits turned = symmetry.orbits;
     for (std::vector<int>& orbit : turned) {
-        std::ranges::rotate(orbit, std::ranges::min_element(orbit, {}, [&](int i) { return angle_modulo(i, begin, two_pi); }));
+        std::rotate(orbit.begin(),
+                    std::ranges::min_element(orbit, {}, [&](int i) { return angle_modulo(i, begin, two_pi); }), orbit.end());
     }
     return turned;
 }

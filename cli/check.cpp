@@ -1,10 +1,12 @@
 // rinceau check: what is wrong with a grammar, and where.
 
+#include <filesystem>
+
 #include "cli/exit_status.h"
-#include "files/files.h"
 #include "cli/growth_input.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
+#include "files/files.h"
 #include "growth/surface/check_shape_grammar.h"
 #include "growth/surface/parse_shape_grammar.h"
 #include "lsystem/grammar_text.h"
@@ -18,8 +20,9 @@ struct CheckOptions {
 
 /// Of an L-system or a shape grammar.
 GrammarFindings findings_of(const std::string& name, const std::string& label) {
-    const std::string text = read_grammar_text(name);
-    if (looks_like_shape_grammar(text)) return inspect_shape_grammar(text, label, files_beside(name));
+    const bool is_called_so = std::filesystem::path(name).extension() == ".fgsg";
+    const std::string text = is_called_so ? read_input(name) : read_grammar_text(name);
+    if (is_called_so || looks_like_shape_grammar(text)) return inspect_shape_grammar(text, label, files_beside(name));
     return inspect_grammar(text, label, read_grammar_text);
 }
 

@@ -12,7 +12,6 @@
 #include "geometry/angle.h"
 #include "growth/surface/field_elements.h"
 #include "growth/surface/field_smooth.h"
-#include "growth/surface/surface_read.h"
 #include "growth/surface/surface_world.h"
 
 namespace rinceau {
@@ -20,11 +19,7 @@ namespace {
 
 SurfaceMesh read_surface_of(const FieldVerbOptions& options, std::vector<std::string>& warnings) {
     if (options.size) return surface_mesh(plane_mesh({.width = options.size->x, .height = options.size->y}));
-    SurfaceReading reading =
-        read_surface(read_input(options.surface), input_label(options.surface), {.repair = options.repair, .mesh = {}});
-    say_warnings(reading.warnings);
-    for (const Warning& warning : reading.warnings) warnings.push_back(located(warning.place, warning.message));
-    return std::move(reading.surface);
+    return read_surface_file(options.surface, options.repair, warnings);
 }
 
 /// Before any smoothing that the command line asks for.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "cli/named_values.h"
 #include "cli/number_range.h"
@@ -11,8 +10,6 @@
 
 namespace rinceau {
 namespace {
-
-constexpr int widest_png = 16384;
 
 [[noreturn]] void fail(const std::string& option, const std::string& message) {
     throw CLI::ValidationError(option, message);
@@ -146,17 +143,6 @@ void add_smoothing(CLI::App& verb, FieldVerbOptions& options) {
         ->type_name("VERTEX,RADIUS,ROUNDS ..");
 }
 
-template <class Value>
-void add_choice(CLI::App& verb, const std::string& name, Value& value, const std::string& help,
-                const std::map<std::string, Value>& choices, const std::string& type) {
-    const auto choose = [&value, name, choices, type](const std::string& word) {
-        const auto chosen = choices.find(word);
-        if (chosen == choices.end()) fail(name, "expected " + type + ", found '" + word + "'");
-        value = chosen->second;
-    };
-    verb.add_option_function<std::string>(name, choose, help)->type_name(type);
-}
-
 void add_outputs(CLI::App& verb, FieldVerbOptions& options) {
     verb.add_option(
             "-o", options.outputs,
@@ -176,48 +162,32 @@ void add_outputs(CLI::App& verb, FieldVerbOptions& options) {
     verb.add_flag("--minor", options.minor, "Pictures: also the lines across");
     verb.add_flag_callback(
         "--no-points", [&options] { options.points = false; }, "Pictures: without singular points");
-    add_choice<UpAxis>(verb, "--up", options.up, "The axis that points up in .png and .glb: y (default) or z",
-                       {{"y", UpAxis::y}, {"z", UpAxis::z}}, "y|z");
-    verb.add_option_function<std::string>(
-            "--view",
-            [&options](const std::string& text) {
-                const std::string expected =
-                    "a turn and an elevation in degrees, TURN,ELEVATION, the elevation from -90 to 90";
-                const std::vector<std::string> parts = parse_list("--view", text);
-                if (parts.size() != 2) fail("--view", "expected " + expected + ", found '" + text + "'");
-                const double turn = parse_number("--view", expected, parts[0]);
-                const double elevation = parse_number("--view", expected, parts[1]);
-                constexpr double straight = 90;
-                if (std::abs(elevation) > straight) fail("--view", "expected " + expected + ", found '" + text + "'");
-                options.view = {turn, elevation};
-            },
-            "Where a .png is seen from: so far round the up axis from the front, and so far above (30,20; planes from "
-            "above)")
-        ->type_name("TURN,ELEVATION");
+    add_up_option(verb, options.up, "The axis that points up in .png and .glb: y (default) or z");
+    add_view_option(
+        verb, options.view,
+        "Where a .png is seen from: so far round the up axis from the front, and so far above (30,20; planes from "
+        "above)");
     verb.add_option("--width", options.width, "Width of a .png in pixels")
         ->check(CLI::Range(1, widest_png))
         ->capture_default_str()
         ->type_name("PX");
 }
 
+/// A field may be written over the file that it is from.
+void expect_free_name(const std::string& option, const std::string& output, const FieldVerbOptions& options) {
+    std::vector<std::string> inputs{options.surface};
+    for (const FieldSource& source : options.sources)
+        if (source.kind != "file" || option != "-o") inputs.push_back(source.text);
+    expect_other_file(option, output, inputs);
+    expect_writable(output);
+}
+
 }  // namespace
 
 void add_field_options(CLI::App& verb, FieldVerbOptions& options) {
     verb.add_option("MESH", options.surface, "The surface (.obj, .off, .ply)")->type_name("FILE");
-    verb.add_option_function<std::string>(
-            "--size",
-            [&options](const std::string& text) {
-                const std::string expected = "a width and a height above 0, W,H";
-                const std::vector<std::string> parts = parse_list("--size", text);
-                if (parts.size() != 2) fail("--size", "expected " + expected + ", found '" + text + "'");
-                const Point size{parse_number("--size", expected, parts[0]), parse_number("--size", expected, parts[1])};
-                if (!(size.x > 0 && size.y > 0)) fail("--size", "expected " + expected + ", found '" + text + "'");
-                options.size = size;
-            },
-            "Instead of a surface, a piece of the plane about the origin")
-        ->type_name("W,H");
-    verb.add_flag("--repair", options.repair,
-                  "Cut the surface apart where more than two faces meet, and turn faces that turn against their neighbours");
+    add_plane_option(verb, options.size, "Instead of a surface, a piece of the plane about the origin");
+    add_repair_option(verb, options.repair);
     add_sources(verb, options);
     add_smoothing(verb, options);
     add_outputs(verb, options);
@@ -240,9 +210,14 @@ void expect_field_options(const FieldVerbOptions& options) {
         if (format != FileFormat::json && format != FileFormat::png && format != FileFormat::svg &&
             format != FileFormat::obj && format != FileFormat::ply && format != FileFormat::glb)
             fail("-o", "expected a name that ends in .json, .png, .svg, .obj, .ply or .glb, found '" + output + "'");
-        expect_writable(output);
+        expect_free_name("-o", output, options);
     }
-    if (!options.report.empty()) expect_writable(options.report);
+    if (options.report.empty()) return;
+    if (format_of(options.report, FileFormat::json) != FileFormat::json)
+        fail("--report", "expected a name that ends in .json, found '" + options.report + "'");
+    if (std::ranges::find(options.outputs, options.report) != options.outputs.end())
+        fail("--report", "expected another file than that of -o, found '" + options.report + "'");
+    expect_free_name("--report", options.report, options);
 }
 
 }  // namespace rinceau

@@ -3,11 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 
+#include "cli/surface_options.h"
 #include "growth/mesh/mesh_glb_write.h"
 #include "growth/surface/field_json.h"
 #include "growth/surface/field_source.h"
@@ -51,7 +51,7 @@ struct FieldVerbOptions {
     bool minor = false;
     bool points = true;
     UpAxis up = UpAxis::y;
-    std::optional<std::pair<double, double>> view;  ///< turn and elevation, degrees
+    std::optional<LookFrom> view;
     int width = 900;
 };
 

@@ -21,12 +21,12 @@ constexpr int schema_version = 1;
 
 std::string picture_bytes(const SurfacePattern& pattern, const SurfaceMesh& surface, const FieldVerbOptions& options) {
     const bool plane = is_plane(surface);
-    constexpr double from_the_side = 30, from_above = 20, straight_down = 90;
-    const auto [turn, elevation] =
-        options.view.value_or(plane ? std::pair(0.0, straight_down) : std::pair(from_the_side, from_above));
-    constexpr double occlusion = 0.5;
-    const MeshView view{
-        .elevation = radians(elevation), .width = options.width, .turn = radians(turn), .occlusion = plane ? 0 : occlusion};
+    constexpr double straight_down = 90, occlusion = 0.5;
+    const LookFrom look = options.view.value_or(plane ? LookFrom{0, straight_down} : LookFrom{});
+    const MeshView view{.elevation = radians(look.elevation),
+                        .width = options.width,
+                        .turn = radians(look.turn),
+                        .occlusion = plane ? 0 : occlusion};
     return picture_to_png(
         mesh_picture(assembly_of(pattern, surface, {.with_surface = true}), plane ? UpAxis::z : options.up, view));
 }

@@ -40,7 +40,6 @@ const FieldOnSurface* guiding_field(const SurfaceWorld& world, const std::string
 Grown grow_shapes(const ShapeGrammar& grammar, std::shared_ptr<const SurfaceMesh> surface, const GrowVerbOptions& options,
                   const Progress& progress) {
     const auto start = Clock::now();
-    compile_shape_grammar(grammar, {.seed = options.seed});  // mistakes are named before long work
     Grown grown;
     grown.world = make_world(grammar, std::move(surface), grammar_files(options), options.seed, progress);
     grown.ground_seconds = seconds_since(start);
@@ -126,6 +125,8 @@ int run_grow(const GrowVerbOptions& options) {
     expect_grow_options(options);
     const auto start = Clock::now();
     GrowInput input = read_grow_input(options);
+    for (const Warning& mistake : input.mistakes) say(located(mistake.place, mistake.message));
+    if (!input.mistakes.empty()) return exit_status::input_at_fault;
     GrowSeconds seconds{.input = seconds_since(start)};
     const std::shared_ptr<const SurfaceMesh> surface = read_ground(options, input.warnings);
     const double surface_seconds = seconds_since(start) - seconds.input;
@@ -142,7 +143,7 @@ int run_grow(const GrowVerbOptions& options) {
     }
     if (!grown.pattern.complete) say(input.label + ": " + grown.pattern.limit);
     if (!grown.pattern.complete && !options.keep_partial) {
-        say("nothing is written; --keep-partial writes what has grown so far");
+        say("nothing is written: --keep-partial writes what has grown so far, --max-shapes and --seconds set other limits");
         return exit_status::limit_reached;
     }
 

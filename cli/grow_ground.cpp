@@ -7,8 +7,8 @@
 #include "cli/growth_input.h"
 #include "cli/messages.h"
 #include "files/files.h"
+#include "growth/surface/check_shape_grammar.h"
 #include "growth/surface/parse_shape_grammar.h"
-#include "growth/surface/surface_read.h"
 
 namespace rinceau {
 namespace {
@@ -65,9 +65,15 @@ ReadNamedFile grammar_files(const GrowVerbOptions& options) {
 GrowInput read_grow_input(const GrowVerbOptions& options) {
     GrowInput input{.label = input_label(options.input), .grammar = {}, .warnings = {}};
     const std::string bytes = read_input(options.input);
-    if (!looks_like_drawing(bytes) && looks_like_shape_grammar(bytes)) {
+    const bool is_called_so = std::filesystem::path(options.input).extension() == ".fgsg";
+    if (is_called_so || (!looks_like_drawing(bytes) && looks_like_shape_grammar(bytes))) {
         expect_options_of_kind(options.drawing_only, "drawings and L-systems, and " + input.label + " is a shape grammar");
-        input.grammar = adapted(parse_shape_grammar(bytes, input.label), options);
+        ParsedShapeGrammar parsed = read_shape_grammar(bytes, input.label);
+        input.mistakes = std::move(parsed.mistakes);
+        if (!input.mistakes.empty()) return input;
+        ShapeGrammar grammar = adapted(std::move(parsed.grammar), options);
+        input.mistakes = shape_grammar_mistakes(grammar);
+        input.grammar = std::move(grammar);
         return input;
     }
     expect_options_of_kind(options.shapes_only, "shape grammars (.fgsg), and " + input.label + " is none");
@@ -79,11 +85,7 @@ GrowInput read_grow_input(const GrowVerbOptions& options) {
 
 std::shared_ptr<const SurfaceMesh> read_ground(const GrowVerbOptions& options, std::vector<std::string>& warnings) {
     if (options.surface.empty()) return nullptr;
-    SurfaceReading reading =
-        read_surface(read_input(options.surface), input_label(options.surface), {.repair = options.repair, .mesh = {}});
-    say_warnings(reading.warnings);
-    for (const Warning& warning : reading.warnings) warnings.push_back(located(warning.place, warning.message));
-    return std::make_shared<const SurfaceMesh>(std::move(reading.surface));
+    return std::make_shared<const SurfaceMesh>(read_surface_file(options.surface, options.repair, warnings));
 }
 
 }  // namespace rinceau

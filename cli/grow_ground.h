@@ -17,11 +17,12 @@ struct GrowInput {
     std::string label;
     std::variant<ShapeGrammar, Grammar> grammar;
     std::vector<std::string> warnings;  ///< they were said
+    std::vector<Warning> mistakes;      ///< of a shape grammar, as `rinceau check` names them but for those in files
 };
 
-/// Reads the input; drawings are analysed. Params are set, the plane's size and the field replaced as the options say.
-/// Throws as read_input(), parse_shape_grammar(), with_params(), read_svg(), read_grammar() and analyze(), and
-/// CLI::ValidationError for options that are for the other kind of input.
+/// Reads the input; drawings are analysed. A shape grammar is what looks so, or is called .fgsg. Params are set, the plane's
+/// size and the field replaced as the options say. Throws as read_input(), with_params(), read_svg(), read_grammar() and
+/// analyze(), and CLI::ValidationError for options that are for the other kind of input.
 GrowInput read_grow_input(const GrowVerbOptions& options);
 
 /// Reads files by the names that the grammar gives them, beside the grammar's own file; but --field as it was given.

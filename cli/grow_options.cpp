@@ -2,58 +2,26 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
-#include "cli/named_values.h"
 #include "cli/number_range.h"
 #include "files/files.h"
 
 namespace rinceau {
 namespace {
 
-constexpr int widest_png = 16384;
 constexpr double largest_length = 1e9;
 
 [[noreturn]] void fail(const std::string& option, const std::string& message) {
     throw CLI::ValidationError(option, message);
 }
 
-std::vector<double> parse_numbers(const std::string& option, const std::string& expected, const std::string& text,
-                                  std::size_t count) {
-    std::vector<double> numbers;
-    for (const std::string& part : parse_list(option, text)) numbers.push_back(parse_number(option, expected, part));
-    if (numbers.size() != count) fail(option, "expected " + expected + ", found '" + text + "'");
-    return numbers;
-}
-
-template <class Value>
-void add_choice(CLI::App& verb, const std::string& name, Value& value, const std::string& help,
-                const std::map<std::string, Value>& choices, const std::string& type, std::vector<std::string>* note) {
-    const auto choose = [&value, name, choices, type, note](const std::string& word) {
-        const auto chosen = choices.find(word);
-        if (chosen == choices.end()) fail(name, "expected " + type + ", found '" + word + "'");
-        value = chosen->second;
-        if (note != nullptr) note->push_back(name);
-    };
-    verb.add_option_function<std::string>(name, choose, help)->type_name(type);
-}
-
 void add_ground_options(CLI::App& verb, GrowVerbOptions& options) {
     verb.add_option("--on", options.surface, "The surface to grow on (.obj, .off, .ply); without it, a piece of the plane")
         ->type_name("MESH");
-    verb.add_flag("--repair", options.repair,
-                  "Cut the surface apart where more than two faces meet, and turn faces that turn against their neighbours");
-    verb.add_option_function<std::string>(
-            "--size",
-            [&options](const std::string& text) {
-                const std::string expected = "a width and a height above 0, W,H";
-                const std::vector<double> numbers = parse_numbers("--size", expected, text, 2);
-                if (!(numbers[0] > 0 && numbers[1] > 0)) fail("--size", "expected " + expected + ", found '" + text + "'");
-                options.size = Point{numbers[0], numbers[1]};
-            },
-            "Without --on: size of the piece of the plane, which is about the origin (1,1 unless the grammar says "
-            "otherwise)")
-        ->type_name("W,H");
+    add_repair_option(verb, options.repair);
+    add_plane_option(verb, options.size,
+                     "Without --on: size of the piece of the plane, which is about the origin (1,1 unless the grammar says "
+                     "otherwise)");
     verb.add_option("--field", options.field,
                     "The field that guides: a file of `rinceau field` (.json), or a source as grammars write it, such as "
                     "'smoothest n=4' or curvature; in a shape grammar it takes the place of the first field")
@@ -88,24 +56,11 @@ void add_output_options(CLI::App& verb, GrowVerbOptions& options) {
         verb, "--instancing", options.instancing,
         "Copies in .glb: gpu (default; by EXT_mesh_gpu_instancing), nodes (for viewers without it), merge (triangles of "
         "their own)",
-        {{"gpu", GlbInstancing::gpu}, {"nodes", GlbInstancing::nodes}, {"merge", GlbInstancing::merge}}, "gpu|nodes|merge",
-        nullptr);
-    add_choice<UpAxis>(verb, "--up", options.up, "The axis that points up in pictures and .glb: y (default) or z",
-                       {{"y", UpAxis::y}, {"z", UpAxis::z}}, "y|z", nullptr);
-    verb.add_option_function<std::string>(
-            "--view",
-            [&options](const std::string& text) {
-                const std::string expected =
-                    "a turn and an elevation in degrees, TURN,ELEVATION, the elevation from -90 to 90";
-                const std::vector<double> numbers = parse_numbers("--view", expected, text, 2);
-                constexpr double straight = 90;
-                if (std::abs(numbers[1]) > straight) fail("--view", "expected " + expected + ", found '" + text + "'");
-                options.view = {numbers[0], numbers[1]};
-            },
-            "Where a picture is seen from: so far round the up axis from the front, and so far above; without it, from "
-            "where "
-            "the pattern faces")
-        ->type_name("TURN,ELEVATION");
+        {{"gpu", GlbInstancing::gpu}, {"nodes", GlbInstancing::nodes}, {"merge", GlbInstancing::merge}}, "gpu|nodes|merge");
+    add_up_option(verb, options.up, "The axis that points up in pictures and .glb: y (default) or z");
+    add_view_option(verb, options.view,
+                    "Where a picture is seen from: so far round the up axis from the front, and so far above; without it, "
+                    "from where the pattern faces");
     verb.add_option("--width", options.width, "Width of a .png in pixels")
         ->check(CLI::Range(1, widest_png))
         ->type_name("PX");
@@ -225,8 +180,10 @@ void expect_grow_options(const GrowVerbOptions& options) {
         fail("-o", "expected a name that ends in .obj, .ply, .glb, .png or .svg, found '" + options.output + "'");
     if (format == FileFormat::svg && !plane)
         fail("-o", "expected .obj, .ply, .glb or .png for growth on a surface, found '" + options.output + "'");
+    expect_other_file("-o", options.output, {options.input, options.surface, options.field});
     expect_writable(options.output);
     if (options.report.empty()) return;
+    expect_other_file("--report", options.report, {options.input, options.surface, options.field});
     if (format_of(options.report, FileFormat::json) != FileFormat::json)
         fail("--report", "expected a name that ends in .json, found '" + options.report + "'");
     expect_writable(options.report);

@@ -3,11 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 
+#include "cli/surface_options.h"
 #include "growth/mesh/mesh_glb_write.h"
 #include "growth/surface/derive_shapes.h"
 #include "growth/surface/grow_drawing.h"
@@ -31,8 +31,8 @@ struct GrowVerbOptions {
     bool with_surface = false;
     GlbInstancing instancing = GlbInstancing::gpu;
     UpAxis up = UpAxis::y;
-    std::optional<std::pair<double, double>> view;  ///< turn and elevation, degrees
-    int width = 0;                                  ///< of pictures, pixels; 0 = their own
+    std::optional<LookFrom> view;
+    int width = 0;  ///< of pictures, pixels; 0 = their own
 
     GrowDrawingOptions drawing;  ///< but for the start
     std::optional<int> vertex;

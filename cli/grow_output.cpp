@@ -15,11 +15,6 @@
 namespace rinceau {
 namespace {
 
-/// Where a picture is seen from, degrees.
-struct Look {
-    double turn = 30, elevation = 20;
-};
-
 /// Where the pattern faces: the sum of all normals, weighted by area, and of their lengths.
 struct Facing {
     SpacePoint sum;
@@ -46,7 +41,7 @@ Facing facing(const SurfacePattern& pattern) {
 }
 
 /// Towards a pattern that is on one side of its surface; from the side of one that is all round it.
-Look look_at(const SurfacePattern& pattern, UpAxis up) {
+LookFrom look_at(const SurfacePattern& pattern, UpAxis up) {
     constexpr double one_sided = 0.3;  // of the normals' lengths that their sum keeps
     const Facing whole = facing(pattern);
     if (!(abs(whole.sum) > one_sided * whole.area)) return {};
@@ -61,8 +56,7 @@ std::string picture_bytes(const SurfacePattern& pattern, const SurfaceMesh& surf
     const bool plane = options.surface.empty();
     const UpAxis up = plane ? UpAxis::z : options.up;
     constexpr double straight_down = 90;
-    Look look = plane ? Look{0, straight_down} : look_at(pattern, up);
-    if (options.view) look = {options.view->first, options.view->second};
+    const LookFrom look = options.view.value_or(plane ? LookFrom{0, straight_down} : look_at(pattern, up));
     constexpr double occlusion = 0.6;
     MeshView view{.elevation = radians(look.elevation), .turn = radians(look.turn), .occlusion = occlusion};
     if (options.width > 0) view.width = options.width;

@@ -38,9 +38,8 @@ std::vector<GridSite> snapped_sites(std::span<const Point> points) {
     }
     const auto key = [](const GridSite& s) { return std::array<std::int32_t, 3>{s.x, s.y, s.point}; };
     std::ranges::sort(sites, {}, key);
-    const auto again =
-        std::ranges::unique(sites, [](const GridSite& a, const GridSite& b) { return a.x == b.x && a.y == b.y; });
-    sites.erase(again.begin(), again.end());
+    const auto same_place = [](const GridSite& a, const GridSite& b) { return a.x == b.x && a.y == b.y; };
+    sites.erase(std::unique(sites.begin(), sites.end(), same_place), sites.end());
     return sites;
 }
 
@@ -53,7 +52,7 @@ std::vector<int> dual_polygon(const VoronoiDiagram::vertex_type& vertex, const s
         edge = edge->rot_next();
         if (edge == first) break;
     }
-    std::ranges::rotate(polygon, std::ranges::min_element(polygon));
+    std::rotate(polygon.begin(), std::ranges::min_element(polygon), polygon.end());
     return polygon;
 }
 

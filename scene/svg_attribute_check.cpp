@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "scene/svg_number.h"
 #include "scene/svg_viewport.h"
@@ -165,7 +166,9 @@ void check_properties(SvgReader& reader, const SvgNode& node, const SpecifiedSty
 }  // namespace
 
 void check_attributes(SvgReader& reader, const SvgNode& node, const SpecifiedStyle& specified) {
-    for (const Attribute& attribute : std::ranges::equal_range(attributes, node.name, {}, &Attribute::element)) {
+    const auto* const first = std::ranges::lower_bound(attributes, node.name, {}, &Attribute::element);
+    const auto* const last = std::ranges::upper_bound(attributes, node.name, {}, &Attribute::element);
+    for (const Attribute& attribute : std::span(first, last)) {
         const std::string* property = is_geometry_property(attribute.name) ? find_value(specified, attribute.name) : nullptr;
         if (property != nullptr && !attribute.accepts(*property) && !says_nothing(*property))
             note_fault(reader, node, attribute.name, *property, attribute.instead);

@@ -17,17 +17,38 @@ bool has_word(std::string_view list, std::string_view word) {
     return false;
 }
 
-int position_of(const CssTree& tree, CssNode node) {
-    if (tree.position) return tree.position(node);
-    int position = 1;
-    while ((node = tree.previous(node))) ++position;
-    return position;
+CssPlace place_of(const CssTree& tree, CssNode node) {
+    if (tree.place) return tree.place(node);
+    CssPlace place;
+    const std::string_view name = tree.name(node);
+    for (CssNode other = tree.previous(node); other; other = tree.previous(other)) {
+        ++place.child;
+        if (tree.name(other) == name) ++place.of_type;
+    }
+    for (CssNode other = tree.next(node); other; other = tree.next(other)) {
+        ++place.child_from_end;
+        if (tree.name(other) == name) ++place.of_type_from_end;
+    }
+    return place;
 }
 
 bool is_nth(int position, int step, int offset) {
     const int distance = position - offset;
     if (step == 0) return distance == 0;
     return distance % step == 0 && distance / step >= 0;
+}
+
+// "en-GB" is in the languages "de,en"; case says nothing. (Selectors 3, section 6.6.3)
+bool is_language(std::string_view language, std::string_view ranges) {
+    const std::string full = lower_case(language);
+    for (std::size_t at = 0; at <= ranges.size();) {
+        const std::size_t end = std::min(ranges.find(',', at), ranges.size());
+        const std::string range = lower_case(ranges.substr(at, end - at));
+        const bool begins = !range.empty() && full.starts_with(range);
+        if (begins && (full.size() == range.size() || full[range.size()] == '-')) return true;
+        at = end + 1;
+    }
+    return false;
 }
 
 bool attribute_passes(const CssCondition& condition, std::string_view value) {
@@ -67,7 +88,23 @@ bool passes(const CssCondition& condition, const CssTree& tree, CssNode node) {
         case CssTest::only_child:
             return !tree.previous(node) && !tree.next(node);
         case CssTest::nth_child:
-            return is_nth(position_of(tree, node), condition.step, condition.offset);
+            return is_nth(place_of(tree, node).child, condition.step, condition.offset);
+        case CssTest::nth_last_child:
+            return is_nth(place_of(tree, node).child_from_end, condition.step, condition.offset);
+        case CssTest::nth_of_type:
+            return is_nth(place_of(tree, node).of_type, condition.step, condition.offset);
+        case CssTest::nth_last_of_type:
+            return is_nth(place_of(tree, node).of_type_from_end, condition.step, condition.offset);
+        case CssTest::only_of_type: {
+            const CssPlace place = place_of(tree, node);
+            return place.of_type == 1 && place.of_type_from_end == 1;
+        }
+        case CssTest::empty:
+            return tree.empty && tree.empty(node);
+        case CssTest::link:
+            return tree.link && tree.link(node);
+        case CssTest::language:
+            return tree.language && is_language(tree.language(node), condition.value);
         case CssTest::root:
             return !tree.parent(node);
         case CssTest::never:

@@ -19,14 +19,25 @@ namespace rinceau {
 /// An element of the caller's tree; null = none.
 using CssNode = const void*;
 
-/// How selectors see the tree. Only elements count as parents and siblings. Each call must take constant time.
+/// Where an element stands among the elements of its parent, from 1.
+struct CssPlace {
+    int child = 1, child_from_end = 1;      ///< among all of them
+    int of_type = 1, of_type_from_end = 1;  ///< among those of its name
+};
+
+/// How selectors see the tree. Only elements count as parents and siblings. Each call must take constant time, on average
+/// over all elements; only `language` may take as long as the tree is deep.
 struct CssTree {
     std::function<std::string_view(CssNode)> name;  ///< local name, without namespace prefix
     std::function<std::optional<std::string_view>(CssNode, std::string_view)> attribute;
     std::function<CssNode(CssNode)> parent;
     std::function<CssNode(CssNode)> previous;  ///< sibling before
     std::function<CssNode(CssNode)> next;      ///< sibling after
-    std::function<int(CssNode)> position;      ///< among its siblings, from 1; may be left empty (counted by `previous`)
+    std::function<CssPlace(CssNode)> place;    ///< may be left empty (counted by `previous` and `next`)
+    // Those left empty say no of every element.
+    std::function<bool(CssNode)> empty;                 ///< holds neither elements nor text
+    std::function<bool(CssNode)> link;                  ///< an `a` that leads somewhere
+    std::function<std::string_view(CssNode)> language;  ///< of its text, as "en-GB"
 };
 
 enum class CssCombinator : std::uint8_t { descendant, child, adjacent, sibling };
@@ -45,6 +56,13 @@ enum class CssTest : std::uint8_t {
     last_child,
     only_child,
     nth_child,
+    nth_last_child,
+    nth_of_type,
+    nth_last_of_type,
+    only_of_type,
+    empty,
+    link,
+    language,
     root,
     never
 };
@@ -54,8 +72,8 @@ struct CssCondition {
     CssTest test = CssTest::type;  ///< never: what needs a person, as :hover
     bool negated = false;          ///< inside :not()
     std::string name;              ///< type, id, class or attribute
-    std::string value;             ///< of the attribute
-    int step = 0, offset = 0;      ///< nth-child(step n + offset)
+    std::string value;             ///< of the attribute, or the languages: "de,en"
+    int step = 0, offset = 0;      ///< nth-child(step n + offset) and its like
 };
 
 /// "g > path.a": compounds from right to left; combinators[i] stands between compounds[i] and compounds[i + 1].

@@ -168,9 +168,26 @@ class SelectorReader {
         const std::optional<std::string> name = read_css_identifier(cursor_);
         if (!name) return std::nullopt;
         const std::string pseudo = lower_case(*name);
+        if (std::optional<CssCondition> condition = plain_pseudo_class(pseudo)) return condition;
+        if (!skip_token(cursor_, "(")) return std::nullopt;
+        const std::size_t end = find_css_end(cursor_.text, cursor_.at, ")");
+        if (end == cursor_.text.size()) return std::nullopt;
+        const std::string_view inside = trimmed(cursor_.text.substr(cursor_.at, end - cursor_.at));
+        cursor_.at = end + 1;
+        if (pseudo == "not") return negated(inside);
+        if (pseudo == "lang") return in_language(inside);
+        return counted(pseudo, inside);
+    }
+
+    // Those without an argument.
+    static std::optional<CssCondition> plain_pseudo_class(std::string_view pseudo) {
         constexpr std::pair<std::string_view, CssTest> plain[] = {{"first-child", CssTest::first_child},
                                                                   {"last-child", CssTest::last_child},
                                                                   {"only-child", CssTest::only_child},
+                                                                  {"only-of-type", CssTest::only_of_type},
+                                                                  {"empty", CssTest::empty},
+                                                                  {"link", CssTest::link},
+                                                                  {"any-link", CssTest::link},
                                                                   {"root", CssTest::root},
                                                                   {"hover", CssTest::never},
                                                                   {"active", CssTest::never},
@@ -180,18 +197,36 @@ class SelectorReader {
         for (const auto& [text, test] : plain) {
             if (pseudo == text) return CssCondition{test};
         }
-        if (pseudo != "nth-child" && pseudo != "not") return std::nullopt;
-        if (!skip_token(cursor_, "(")) return std::nullopt;
-        const std::size_t end = find_css_end(cursor_.text, cursor_.at, ")");
-        if (end == cursor_.text.size()) return std::nullopt;
-        const std::string_view inside = trimmed(cursor_.text.substr(cursor_.at, end - cursor_.at));
-        cursor_.at = end + 1;
-        return pseudo == "not" ? negated(inside) : nth_child(inside);
+        if (pseudo == "first-of-type") return counted("nth-of-type", "1");
+        if (pseudo == "last-of-type") return counted("nth-last-of-type", "1");
+        return std::nullopt;
     }
 
-    static std::optional<CssCondition> nth_child(std::string_view inside) {
-        CssCondition condition{CssTest::nth_child};
-        return read_nth(inside, condition) ? std::optional(condition) : std::nullopt;
+    static std::optional<CssCondition> counted(std::string_view pseudo, std::string_view inside) {
+        constexpr std::pair<std::string_view, CssTest> counting[] = {{"nth-child", CssTest::nth_child},
+                                                                     {"nth-last-child", CssTest::nth_last_child},
+                                                                     {"nth-of-type", CssTest::nth_of_type},
+                                                                     {"nth-last-of-type", CssTest::nth_last_of_type}};
+        for (const auto& [text, test] : counting) {
+            CssCondition condition{test};
+            if (pseudo == text) return read_nth(inside, condition) ? std::optional(condition) : std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    // "en", "'de-AT', fr": identifiers or strings.
+    static std::optional<CssCondition> in_language(std::string_view inside) {
+        CssCondition condition{CssTest::language};
+        TextCursor cursor{inside};
+        do {
+            skip_space(cursor);
+            std::optional<std::string> range = read_css_string(cursor);
+            if (!range) range = read_css_identifier(cursor);
+            if (!range) return std::nullopt;
+            condition.value += (condition.value.empty() ? "" : ",") + *range;
+            skip_space(cursor);
+        } while (skip_token(cursor, ","));
+        return cursor.at_end() ? std::optional(condition) : std::nullopt;
     }
 
     // One simple selector inside :not(), no :not() again.

@@ -85,7 +85,8 @@ SpecifiedStyle inherited_declarations(const SvgContext& context) {
             if (!is_inherited_property(property) || value == "inherit" || value == "unset") continue;
             // A shorthand sets its parts anew; it comes before them in the list.
             if (property == "font" || property == "marker")
-                std::erase_if(merged, [&](const auto& part) { return part.first.starts_with(property + "-"); });
+                std::erase_if(merged,
+                              [part_of = property + "-"](const auto& part) { return part.first.starts_with(part_of); });
             merged[property] = settled_value(property, value, *at);
         }
     return {merged.begin(), merged.end()};

@@ -177,6 +177,46 @@ void add_element(SvgReader& reader, Element element, const SvgNode& node) {
 
 namespace {
 
+// Places are counted for all elements of a parent when the first of them is asked for, so that each is counted once.
+class CountedPlaces {
+  public:
+    CssPlace of(const SvgNode& node) {
+        if (node.parent == nullptr) return {};
+        if (counted_.insert(node.parent).second) count_elements(*node.parent);
+        return places_[&node];
+    }
+
+  private:
+    void count_elements(const SvgNode& parent) {
+        std::unordered_map<std::string_view, int> of_name;
+        const SvgNode* last = nullptr;
+        for (const SvgNode* child = parent.first_child; child != nullptr; child = child->next) {
+            if (is_text(*child)) continue;
+            last = child;
+            places_[child] = {.child = child->position, .of_type = ++of_name[child->name]};
+        }
+        for (const SvgNode* child = last; child != nullptr; child = child->previous_element) {
+            CssPlace& place = places_[child];
+            place.child_from_end = last->position - child->position + 1;
+            place.of_type_from_end = of_name[child->name] - place.of_type + 1;
+        }
+    }
+
+    std::unordered_set<const SvgNode*> counted_;  ///< parents
+    std::unordered_map<const SvgNode*, CssPlace> places_;
+};
+
+// The language of the nearest `xml:lang`, or of `lang` beside it where there is none.
+std::string_view language_of(const SvgNode* node) {
+    for (; node != nullptr; node = node->parent) {
+        for (const SvgAttribute& attribute : node->attributes) {
+            if (attribute.name == "lang" && attribute.space == SvgNamespace::xml) return attribute.value;
+        }
+        if (const std::string_view* language = find_attribute(*node, "lang")) return *language;
+    }
+    return {};
+}
+
 CssTree css_tree() {
     const auto node = [](CssNode css) { return static_cast<const SvgNode*>(css); };
     return {.name = [node](CssNode css) { return node(css)->name; },
@@ -187,7 +227,10 @@ CssTree css_tree() {
             .parent = [node](CssNode css) -> CssNode { return node(css)->parent; },
             .previous = [node](CssNode css) -> CssNode { return node(css)->previous_element; },
             .next = [node](CssNode css) -> CssNode { return node(css)->next_element; },
-            .position = [node](CssNode css) { return node(css)->position; }};
+            .place = [node, places = std::make_shared<CountedPlaces>()](CssNode css) { return places->of(*node(css)); },
+            .empty = [node](CssNode css) { return node(css)->first_child == nullptr; },
+            .link = [node](CssNode css) { return node(css)->name == "a" && !href_of(*node(css)).empty(); },
+            .language = [node](CssNode css) { return language_of(node(css)); }};
 }
 
 bool is_style_sheet(const SvgNode& node) {

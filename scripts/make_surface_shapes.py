@@ -45,31 +45,6 @@ def drop():
     return svg((100, 56), 'M100 28 C74 26 62 0 30 0 C10 0 0 12 0 28 C0 44 10 56 30 56 C62 56 74 30 100 28 Z', '#4a7fa5')
 
 
-def sector(start, end, gap):
-    """A piece of a disc between two angles (degrees), its straight sides moved inwards by `gap`."""
-    middle, half = math.radians((start + end) / 2), math.radians((end - start) / 2)
-    tip = gap / math.sin(half)
-    aside = half - math.asin(gap / 50)
-    x, y = 50 + tip * math.cos(middle), 50 - tip * math.sin(middle)
-    ends = [(50 + 50 * math.cos(middle + side * aside), 50 - 50 * math.sin(middle + side * aside)) for side in (-1, 1)]
-    return 'M%.4g %.4g L%.5g %.5g A50 50 0 0 0 %.5g %.5g Z' % (x, y, *ends[0], *ends[1])
-
-
-def glyph(parts, gap=5):
-    """A disc as one, two or four parts; of two, the gap lies along x."""
-    if parts == 1:
-        path = 'M0 50 A50 50 0 0 1 100 50 A50 50 0 0 1 0 50 Z'
-    else:
-        path = ' '.join(sector(360 * k / parts, 360 * (k + 1) / parts, gap) for k in range(parts))
-    return svg((100, 100), path, '#d9822b')
-
-
-def hexagon():
-    at = ['%.4g %.4g' % (50 + 50 * math.cos(math.pi * k / 3 + math.pi / 6), 50 - 50 * math.sin(math.pi * k / 3 + math.pi / 6))
-          for k in range(6)]
-    return svg((100, 100), 'M' + ' L'.join(at) + ' Z', '#5a8f4e')
-
-
 # ---------------------------------------------------------------- the picture
 
 SIZE = 300
@@ -132,8 +107,7 @@ def picture():
 
 
 def main(folder):
-    for name, text in (('leaf', leaf()), ('petal', petal()), ('star', star()), ('drop', drop()), ('hexagon', hexagon()),
-                       ('glyph', glyph(1)), ('glyph_bar', glyph(2)), ('glyph_cross', glyph(4))):
+    for name, text in (('leaf', leaf()), ('petal', petal()), ('star', star()), ('drop', drop())):
         (folder / (name + '.svg')).write_text(text, encoding='utf-8')
     picture().save(folder / 'cat.png', optimize=True)
 

@@ -12,11 +12,20 @@ MOST_BYTES = 60_000
 COLOURS = [128, 96, 64, 48, 32]
 
 
+def palette_of(picture, colours):
+    """A picture with that palette: two thirds for what there is much of, one for what differs most, however little of it."""
+    much = picture.quantize(colours - colours // 3, method=Image.MEDIANCUT).getpalette()
+    rare = picture.quantize(colours // 3, method=Image.MAXCOVERAGE).getpalette()
+    palette = Image.new("P", (1, 1))
+    palette.putpalette((much[: 3 * (colours - colours // 3)] + rare[: 3 * (colours // 3)]))
+    return palette
+
+
 def shrunk(picture):
     """The bytes of the best picture that is small enough; of the smallest if none is."""
     for colours in COLOURS:
         file = io.BytesIO()
-        picture.quantize(colours, method=Image.MEDIANCUT, dither=Image.NONE).save(file, "PNG", optimize=True)
+        picture.quantize(palette=palette_of(picture, colours), dither=Image.NONE).save(file, "PNG", optimize=True)
         if len(file.getvalue()) <= MOST_BYTES:
             break
     return file.getvalue()

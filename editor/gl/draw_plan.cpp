@@ -21,8 +21,7 @@ bool give_meshes(SeenItems& seen, const LookTable& table, ShapeStore& store,
         if (!shape_of(group)->meshes.contains(group.level)) wanted.emplace_back(shape_of(group), group.level);
     // looks that differ in colour alone share a shape
     std::ranges::sort(wanted);
-    const auto repeated = std::ranges::unique(wanted);
-    wanted.erase(repeated.begin(), repeated.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     store.make_meshes(wanted, deadline);
     bool complete = true;
     for (SeenGroup& group : seen.groups) {

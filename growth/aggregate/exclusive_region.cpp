@@ -52,7 +52,7 @@ void keep_corners(const Ring& ring, std::size_t first, std::size_t last, double 
 
 Ring simplified(Ring ring, double tolerance) {
     // Begin at two corners far apart, which stay.
-    std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(farthest_from(ring, ring.front())));
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(farthest_from(ring, ring.front())), ring.end());
     const std::size_t opposite = farthest_from(ring, ring.front());
     std::vector<bool> kept(ring.size(), false);
     kept.front() = kept[opposite] = true;

@@ -200,13 +200,13 @@ void add_ring(std::span<const Point> points, int point, const std::vector<PointS
         ring.push_back(s.last);
     }
     std::ranges::sort(ring);
-    ring.erase(std::ranges::unique(ring).begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     const auto angle = [&](int other) {
         return arg(points[static_cast<std::size_t>(other)] - points[static_cast<std::size_t>(point)]);
     };
     std::ranges::stable_sort(ring, {}, angle);
     if (ring.empty()) return;
-    std::ranges::rotate(ring, std::ranges::min_element(ring));
+    std::rotate(ring.begin(), std::ranges::min_element(ring), ring.end());
     std::size_t closed = 0;
     for (std::size_t k = 0; k < ring.size(); ++k) {
         const auto sector = std::ranges::find_if(
@@ -236,7 +236,7 @@ FaceCircle face_circle(std::span<const Point> points, const std::vector<int>& fa
 
 Connectivity connectivity_from_faces(std::span<const Point> points, Faces faces) {
     Connectivity result;
-    for (auto& face : faces) std::ranges::rotate(face, std::ranges::min_element(face));
+    for (auto& face : faces) std::rotate(face.begin(), std::ranges::min_element(face), face.end());
     std::ranges::sort(faces);
     const IndexMap left = faces_left_of_edges(faces);
     std::vector<std::vector<PointSector>> sectors(points.size());
@@ -274,7 +274,7 @@ Connectivity connectivity_of(std::span<const Point> points, const ConnectivityOp
 
 std::optional<Faces> flipped_edge(std::span<const Point> points, const Connectivity& connectivity,
                                   std::pair<int, int> edge) {
-    const auto [a, b] = edge;
+    const int a = edge.first, b = edge.second;
     const IndexMap left = faces_left_of_edges(connectivity.faces);
     const int f = left.find(edge_key(a, b));
     const int g = left.find(edge_key(b, a));

@@ -16,12 +16,14 @@ class LineCheck {
   public:
     explicit LineCheck(const MeshReadOptions& options) : options_(options) {}
 
+    /// A line, which tinyobjloader ends at a carriage return as well.
     void check(std::string_view line) {
         ++line_;
-        line = line.substr(0, line.find('#'));
-        const std::string_view kind = take_word(line);
-        if (kind == "v") check_vertex(line);
-        if (kind == "f") check_face(line);
+        for (std::size_t end = line.find('\r'); end != std::string_view::npos; end = line.find('\r')) {
+            check_statement(line.substr(0, end));
+            line.remove_prefix(end + 1);
+        }
+        check_statement(line);
     }
     void check_end() const {
         if (positions_ == 0) throw InputError({options_.file_name}, "expected a mesh with vertices ('v x y z'), found none");
@@ -33,6 +35,13 @@ class LineCheck {
     int line_ = 0;
     std::size_t positions_ = 0;
     std::size_t triangles_ = 0;
+
+    void check_statement(std::string_view line) {
+        line = line.substr(0, line.find('#'));
+        const std::string_view kind = take_word(line);
+        if (kind == "v") check_vertex(line);
+        if (kind == "f") check_face(line);
+    }
 
     [[noreturn]] void fail(const std::string& message) const { throw InputError({options_.file_name, line_}, message); }
     [[noreturn]] void fail_limit(std::size_t most, const std::string& things) const {
@@ -55,7 +64,8 @@ class LineCheck {
         long place = 0;
         if (!reads_whole(word, place) || place == 0)
             fail("expected the number of a vertex, found '" + std::string(word) + "'");
-        if (static_cast<std::size_t>(std::abs(place)) > positions_)
+        const auto there = static_cast<long>(positions_);
+        if (place > there || place < -there)
             fail("the face has vertex " + std::to_string(place) + ", but up to here there are " +
                  std::to_string(positions_));
     }
@@ -78,20 +88,34 @@ void check_lines(std::string_view text, const MeshReadOptions& options) {
     lines.check_end();
 }
 
+/// tinyobjloader knows comments only where a line begins.
+std::string without_comments(std::string_view text) {
+    std::string plain;
+    plain.reserve(text.size());
+    bool comment = false;
+    for (const char c : text) {
+        if (c == '#') comment = true;
+        if (c == '\n' || c == '\r') comment = false;
+        if (!comment) plain += c;
+    }
+    return plain;
+}
+
 /// `place`: by the file's number of a position its number in the mesh, -1 = not used yet.
-TriangleMesh mesh_of(const tinyobj::ObjReader& reader, bool keep_numbers) {
+TriangleMesh mesh_of(const tinyobj::ObjReader& reader, const MeshReadOptions& options) {
     TriangleMesh mesh;
     const std::vector<tinyobj::real_t>& numbers = reader.GetAttrib().vertices;
     std::vector<int> place(numbers.size() / 3, -1);
     const auto position_of = [&](int index) {
         const auto v = static_cast<std::size_t>(index);
+        if (v >= place.size()) throw InputError({options.file_name}, "a face has a vertex that is not there");
         if (place[v] < 0) {
             place[v] = static_cast<int>(mesh.positions.size());
             mesh.positions.push_back({numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]});
         }
         return place[v];
     };
-    if (keep_numbers)
+    if (options.keep_numbers)
         for (std::size_t v = 0; v < place.size(); ++v) position_of(static_cast<int>(v));
     for (const tinyobj::shape_t& shape : reader.GetShapes())
         for (std::size_t i = 0; i + 2 < shape.mesh.indices.size(); i += 3) {
@@ -109,8 +133,8 @@ TriangleMesh read_obj(const std::string& text, const MeshReadOptions& options) {
     tinyobj::ObjReader reader;
     tinyobj::ObjReaderConfig config;
     config.vertex_color = false;
-    if (!reader.ParseFromString(text, "", config)) throw InputError({options.file_name}, reader.Error());
-    TriangleMesh mesh = mesh_of(reader, options.keep_numbers);
+    if (!reader.ParseFromString(without_comments(text), "", config)) throw InputError({options.file_name}, reader.Error());
+    TriangleMesh mesh = mesh_of(reader, options);
     if (mesh.triangles.empty()) throw InputError({options.file_name}, "expected faces with an area, found none");
     return mesh;
 }

@@ -29,9 +29,9 @@ TriangleMesh read_mesh(const std::string& name, const std::string& text, MeshRea
     if (options.file_name.empty()) options.file_name = name;
     options.keep_numbers = true;
     const std::string ending = ending_of(name);
+    if (ending == ".ply" || text.starts_with("ply\n") || text.starts_with("ply\r")) return read_ply(text, options);
+    if (ending == ".off" || text.starts_with("OFF\n") || text.starts_with("OFF\r")) return read_off(text, options);
     if (ending == ".obj") return read_obj(text, options);
-    if (ending == ".off") return read_off(text, options);
-    if (ending == ".ply") return read_ply(text, options);
     throw InputError({options.file_name}, "expected a mesh as .obj, .off or .ply");
 }
 

@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "geometry/random.h"
+#include "lsystem/number_text.h"
 
 namespace rinceau {
 
 namespace {
 
 constexpr double steepest = 0.1;  // length of an axis' shadow in the surface, below which another axis is taken
-constexpr double most_places = 1e7;
 
 Complex level_direction(const SurfaceMesh& surface, int face) {
     const auto& frame = surface.frame[static_cast<std::size_t>(face)];
@@ -49,7 +49,7 @@ std::array<double, 3> nearest_weights(SpacePoint p, SpacePoint a, SpacePoint b, 
 /// Looks at every face: an axiom asks once.
 SurfacePoint nearest_on_surface(const SurfaceMesh& surface, SpacePoint p) {
     double best = std::numeric_limits<double>::infinity();
-    SurfacePoint found;
+    SurfacePoint found = at_vertex(surface, 0);  // for places so far away that no face is nearer than another
     for (int f = 0; f < surface.faces(); ++f) {
         const auto [a, b, c] = surface.mesh.triangles[static_cast<std::size_t>(f)];
         const auto corner = [&](int v) { return surface.mesh.positions[static_cast<std::size_t>(v)]; };
@@ -77,14 +77,11 @@ SurfacePoint scattered(const SurfaceMesh& surface, const std::vector<double>& su
     return from_barycentric(surface, face, {1 - root, root * (1 - share), root * share});
 }
 
-/// A count or an index.
-int whole_number(const CompiledShapeAxiom& axiom, double lowest, double highest, const char* what) {
-    const double number = axiom.numbers.empty() ? -1 : axiom.numbers.front();
-    if (number != std::floor(number) || number < lowest || number > highest)
-        throw InputError(axiom.source->place,
-                         std::string("expected ") + what + " from " + std::to_string(static_cast<long>(lowest)) + " to " +
-                             std::to_string(static_cast<long>(highest)) + ", found " + std::to_string(number));
-    return static_cast<int>(number);
+int vertex_of(const CompiledShapeAxiom& axiom, const SurfaceMesh& surface) {
+    const double number = axiom.numbers.front();
+    if (number < surface.vertices()) return static_cast<int>(number);
+    throw InputError(axiom.source->place, "expected a vertex of the surface, from 0 to " +
+                                              std::to_string(surface.vertices() - 1) + ", found " + number_text(number));
 }
 
 }  // namespace
@@ -94,15 +91,14 @@ std::vector<AxiomPlace> axiom_places(const CompiledShapeAxiom& axiom, const Surf
     std::vector<AxiomPlace> places;
     switch (axiom.where) {
         case ShapeAxiom::Where::vertex:
-            places.push_back(
-                place_at(surface, guide, at_vertex(surface, whole_number(axiom, 0, surface.vertices() - 1, "a vertex"))));
+            places.push_back(place_at(surface, guide, at_vertex(surface, vertex_of(axiom, surface))));
             break;
         case ShapeAxiom::Where::nearest:
             places.push_back(place_at(surface, guide,
                                       nearest_on_surface(surface, {axiom.numbers[0], axiom.numbers[1], axiom.numbers[2]})));
             break;
         case ShapeAxiom::Where::scatter: {
-            const int count = whole_number(axiom, 0, most_places, "a number of places");
+            const auto count = static_cast<int>(axiom.numbers.front());
             const std::vector<double> sums = summed_areas(surface);
             Random random(key);
             for (int i = 0; i < count; ++i) places.push_back(place_at(surface, guide, scattered(surface, sums, random)));

@@ -15,7 +15,8 @@ struct AxiomPlace {
 
 /// X is that direction 1 of the guiding field which is nearest to space's x axis laid into the surface; without a field, or
 /// where it is zero, it is that axis itself, or y where the surface is too steep for it. Scattered places depend on `key`.
-/// `field` is that of `each`. Throws InputError at the axiom's place for numbers that name no place.
+/// `field` is that of `each`. Throws InputError at the axiom's place for a vertex that
+/// the surface has not.
 std::vector<AxiomPlace> axiom_places(const CompiledShapeAxiom& axiom, const SurfaceMesh& surface,
                                      const FieldOnSurface* guide, const FieldOnSurface* field, DrawKey key);
 

@@ -23,30 +23,24 @@ constexpr std::array<std::string_view, 14> known_options{"cull",  "order",      
 
 class ShapeGrammarChecker {
   public:
-    ShapeGrammarChecker(std::string_view text, const std::string& file_name, const ReadNamedFile& read_file)
-        : parsed_(read_shape_grammar(text, file_name)), mistakes_(parsed_.mistakes), read_file_(read_file) {}
-
-    GrammarFindings check() {
-        // what stands in statements with mistakes is not known: names would seem to be missing
-        if (!mistakes_.empty()) return {std::move(mistakes_), {}};
-        const CompiledShapeGrammar compiled = compile_shape_grammar(grammar(), {}, mistakes_);
+    ShapeGrammarChecker(const ShapeGrammar& grammar, const ReadNamedFile& read_file)
+        : grammar_(grammar), read_file_(read_file), compiled_(compile_shape_grammar(grammar, {}, mistakes_)) {
         check_parts();
         check_options();
-        for (const ShapeSource& shape : grammar().shapes) keeping([&] { check_shape(shape); });
-        for (const ShapeSource& field : grammar().fields) keeping([&] { check_field(field); });
+        for (const ShapeSource& shape : grammar_.shapes) keeping([&] { check_shape(shape); });
+        for (const ShapeSource& field : grammar_.fields) keeping([&] { check_field(field); });
         std::ranges::stable_sort(
             mistakes_, {}, [](const Warning& mistake) { return std::tuple(mistake.place.line, mistake.place.column); });
-        GrammarFindings findings{std::move(mistakes_), {}};
-        if (findings.mistakes.empty()) findings.hints = shape_grammar_hints(grammar(), compiled);
-        return findings;
     }
 
-  private:
-    ParsedShapeGrammar parsed_;
-    std::vector<Warning> mistakes_;
-    ReadNamedFile read_file_;
+    const std::vector<Warning>& mistakes() const { return mistakes_; }
+    const CompiledShapeGrammar& compiled() const { return compiled_; }
 
-    const ShapeGrammar& grammar() const { return parsed_.grammar; }
+  private:
+    const ShapeGrammar& grammar_;
+    const ReadNamedFile& read_file_;
+    std::vector<Warning> mistakes_;
+    CompiledShapeGrammar compiled_;
 
     template <class Work>
     void keeping(Work work) {
@@ -58,48 +52,53 @@ class ShapeGrammarChecker {
     }
 
     void check_parts() {
-        const SourcePlace top{grammar().file_name, 1, 1};
-        if (grammar().axioms.empty())
+        const SourcePlace top{grammar_.file_name, 1, 1};
+        if (grammar_.axioms.empty())
             add_mistake(mistakes_, top, "expected an axiom, such as 'axiom vertex 0 A', found none: nothing would grow");
     }
 
     void check_options() {
-        for (const auto& [name, option] : grammar().options) {
+        for (const auto& [name, option] : grammar_.options) {
             if (std::ranges::find(known_options, name) != known_options.end()) continue;
             add_mistake(mistakes_, option.place,
                         "expected the name of an option, found '" + name + "'" +
                             instead_of(name, {known_options.begin(), known_options.end()}));
         }
-        keeping([&] { plane_piece(grammar()); });
+        keeping([&] { plane_piece(grammar_); });
         keeping([&] {
-            const std::string follow = options_of(grammar()).follow;
+            const std::string follow = options_of(grammar_).follow;
             const auto is_followed = [&](const ShapeSource& field) { return field.name == follow; };
-            if (follow.empty() || follow == "none" || std::ranges::any_of(grammar().fields, is_followed)) return;
-            throw InputError(grammar().options.at("follow").place,
+            if (follow.empty() || follow == "none" || std::ranges::any_of(grammar_.fields, is_followed)) return;
+            throw InputError(grammar_.options.at("follow").place,
                              "expected a field of this grammar, or none, for the option 'follow', found '" + follow + "'");
         });
     }
 
     void check_shape(const ShapeSource& shape) const {
         if (!shape.text.empty() && !read_file_) return;
-        const auto number_of = [&](const Expression& value) { return value_of(value, grammar(), {}, shape.place); };
+        const auto number_of = [&](const Expression& value) { return value_of(value, grammar_, {}, shape.place); };
         make_shape(shape, read_file_, number_of);
     }
 
     void check_field(const ShapeSource& field) const {
-        const std::vector<std::string>& kinds = field_source_kinds();
-        if (std::ranges::find(kinds, field.kind) == kinds.end())
-            throw InputError(field.place,
-                             "expected the kind of a field, found '" + field.kind + "'" + instead_of(field.kind, kinds));
-        for (const auto& [key, value] : field.numbers) value_of(value, grammar(), {}, field.place);
-        if (!field.text.empty() && read_file_) read_file_(field.text);
+        check_field_source(field_source_of(field, grammar_, {}));
+        if (!field.text.empty() && read_file_) read_named(read_file_, field.text, field.place);
     }
 };
 
 }  // namespace
 
+std::vector<Warning> shape_grammar_mistakes(const ShapeGrammar& grammar, const ReadNamedFile& read_file) {
+    return ShapeGrammarChecker(grammar, read_file).mistakes();
+}
+
 GrammarFindings inspect_shape_grammar(std::string_view text, const std::string& file_name, const ReadNamedFile& read_file) {
-    return ShapeGrammarChecker(text, file_name, read_file).check();
+    const ParsedShapeGrammar parsed = read_shape_grammar(text, file_name);
+    // what stands in statements with mistakes is not known: names would seem to be missing
+    if (!parsed.mistakes.empty()) return {parsed.mistakes, {}};
+    const ShapeGrammarChecker checker(parsed.grammar, read_file);
+    if (!checker.mistakes().empty()) return {checker.mistakes(), {}};
+    return {{}, shape_grammar_hints(parsed.grammar, checker.compiled())};
 }
 
 }  // namespace rinceau

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "growth/surface/shape_expressions.h"
 #include "growth/surface/shape_sources.h"
 #include "lsystem/grammar_text.h"
 
@@ -15,5 +16,8 @@ namespace rinceau {
 /// them; without `read_file` they are not looked at.
 GrammarFindings inspect_shape_grammar(std::string_view text, const std::string& file_name = {},
                                       const ReadNamedFile& read_file = {});
+
+/// The same mistakes of a grammar whose text has none of syntax, by their place.
+std::vector<Warning> shape_grammar_mistakes(const ShapeGrammar& grammar, const ReadNamedFile& read_file = {});
 
 }  // namespace rinceau

@@ -30,7 +30,7 @@ struct ClosedRow {
 
 /// Does the line through `start` in `direction` (length 1), at a constant angle to the field or straight without one, come
 /// back to its start? Then it is cut into the whole number of equal steps that is nearest to `step` (> 0), at least one.
-/// Nothing for an open line (GROWTH-3D section 8).
+/// Nothing for an open line.
 std::optional<ClosedRow> closed_row(const SurfaceMesh& surface, const FieldOnSurface* field, SurfacePoint start,
                                     Complex direction, double step, const ClosedRowOptions& options = {});
 

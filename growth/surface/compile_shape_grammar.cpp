@@ -7,6 +7,7 @@
 #include "growth/surface/shape_expressions.h"
 #include "lsystem/expression_functions.h"
 #include "lsystem/mistakes.h"
+#include "lsystem/number_text.h"
 #include "lsystem/similar_name.h"
 #include "scene/svg_color.h"
 
@@ -36,16 +37,17 @@ int operands(const Expression::Node& node) {
     }
 }
 
-/// a && b && c as its parts.
-std::vector<Expression> conjuncts(const Expression& expression) {
-    const auto& postfix = expression.postfix;
-    if (postfix.empty() || postfix.back().op != Expression::Op::logical_and) return {expression};
-    std::size_t start = postfix.size() - 1;  // where the second operand begins
-    for (int missing = 1; missing > 0 && start > 0;) missing += operands(postfix[--start]) - 1;
-    const auto middle = postfix.begin() + static_cast<std::ptrdiff_t>(start);
-    std::vector<Expression> parts = conjuncts({{postfix.begin(), middle}});
-    for (Expression& part : conjuncts({{middle, postfix.end() - 1}})) parts.push_back(std::move(part));
-    return parts;
+/// a && b && c as its parts. Operands behind a && are searched by recursion, which parentheses alone deepen.
+void add_conjuncts(std::span<const Expression::Node> postfix, std::vector<Expression>& parts) {
+    std::vector<std::span<const Expression::Node>> behind;  // last ones first
+    while (!postfix.empty() && postfix.back().op == Expression::Op::logical_and) {
+        std::size_t start = postfix.size() - 1;  // where the second operand begins
+        for (int missing = 1; missing > 0 && start > 0;) missing += operands(postfix[--start]) - 1;
+        behind.push_back(postfix.subspan(start, postfix.size() - 1 - start));
+        postfix = postfix.first(start);
+    }
+    parts.push_back({{postfix.begin(), postfix.end()}});
+    for (auto operand = behind.rbegin(); operand != behind.rend(); ++operand) add_conjuncts(*operand, parts);
 }
 
 int index_of(const std::vector<ShapeSource>& sources, const std::string& name) {
@@ -137,7 +139,9 @@ class ShapeCompiler {
     }
 
     void add_condition(const Expression& condition, CompiledShapeRule& rule) {
-        for (const Expression& part : conjuncts(condition)) {
+        std::vector<Expression> parts;
+        add_conjuncts(condition.postfix, parts);
+        for (const Expression& part : parts) {
             const std::uint64_t salt = salt_of(salt_, DrawnIn::condition, rule.condition.size());
             rule.condition.push_back(program(part, salt, rule.source->place));
         }
@@ -159,16 +163,16 @@ class ShapeCompiler {
         result_.axioms.push_back(std::move(compiled));
     }
 
-    /// A vertex and how many are whole numbers from 0.
     static void expect_counts(const CompiledShapeAxiom& axiom) {
         if (axiom.where != ShapeAxiom::Where::vertex && axiom.where != ShapeAxiom::Where::scatter) return;
         const double number = axiom.numbers.front();
-        constexpr double most = 1e9;  // as many places or vertices as could be held
+        const bool vertex = axiom.where == ShapeAxiom::Where::vertex;
+        constexpr double most_vertices = 1e9;  // as many as could be held; the surface's own are known later
+        const double most = vertex ? most_vertices : most_scattered;
         if (number >= 0 && number <= most && number == static_cast<double>(static_cast<long>(number))) return;
         throw InputError(axiom.source->place,
-                         std::string("expected ") +
-                             (axiom.where == ShapeAxiom::Where::vertex ? "the number of a vertex" : "a number of places") +
-                             ", 0 .. 1e9, found '" + to_text(axiom.source->numbers.front()) + "'");
+                         std::string("expected ") + (vertex ? "the number of a vertex" : "a number of places") +
+                             " from 0 to " + number_text(most) + ", found '" + to_text(axiom.source->numbers.front()) + "'");
     }
 
     std::vector<CompiledShapeCommand> commands(const std::vector<ShapeCommand>& commands, int& ordinal) {

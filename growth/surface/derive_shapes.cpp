@@ -15,16 +15,9 @@ namespace rinceau {
 
 namespace {
 
-constexpr long rules_between_looks = 256;  // at the clock and at who waits for progress
-
-ShapeGrammarSetting setting_of(const SurfaceMesh& surface, std::uint64_t seed) {
-    ShapeGrammarSetting setting;
-    setting.seed = seed;
-    setting.diagonal = surface.diagonal;
-    setting.area = surface.area;
-    setting.mean_edge = surface.mean_edge;
-    return setting;
-}
+// Who waits for progress is told after so many rules, or when they take longer: a way may lead round the surface many times.
+constexpr long rules_between_looks = 256;
+constexpr std::chrono::milliseconds longest_between_looks{50};
 
 /// By the grammar's sources: the index of the one that has its name.
 template <class Named>
@@ -62,7 +55,7 @@ struct ShapeDerivation::State {
     std::chrono::steady_clock::duration spent{};
 
     State(const ShapeGrammar& g, const SurfaceWorld& w, const ShapeDerivationOptions& options) : grammar(g), world(w) {
-        compiled = compile_shape_grammar(grammar, setting_of(*world.surface, options.seed));
+        compiled = compile_shape_grammar(grammar, grammar_setting(*world.surface, options.seed));
         ground = {&grammar,
                   &compiled,
                   &world,
@@ -115,11 +108,11 @@ bool ShapeDerivation::State::within_bounds(std::chrono::steady_clock::duration t
     const ShapeDerivationOptions& options = ground.options;
     const long things = interpreter->shapes().size() + interpreter->queue().size() + interpreter->lines().points();
     if (things > options.max_shapes)
-        stop(std::to_string(options.max_shapes) + " shapes and waiting symbols", "allow more shapes");
+        stop(std::to_string(options.max_shapes) + " shapes and waiting symbols", "allow more shapes (option max_shapes)");
     else if (interpreter->counts().rules_applied >= options.max_rules && !done())
-        stop(std::to_string(options.max_rules) + " rules", "allow more rules");
+        stop(std::to_string(options.max_rules) + " rules", "allow more rules (option max_rules)");
     else if (options.max_seconds > 0 && std::chrono::duration<double>(spent + time).count() > options.max_seconds)
-        stop(number_text(options.max_seconds) + " seconds", "allow more seconds");
+        stop(number_text(options.max_seconds) + " seconds", "allow more seconds (option max_seconds)");
     else if (const auto rule = interpreter->endless_lock())
         stop("a Lock whose symbols do not come to an end ('" + grammar.rules[static_cast<std::size_t>(*rule)].symbol + "')",
              "keep endless growth out of Lock");
@@ -147,15 +140,19 @@ void ShapeDerivation::step(long rules, const Progress& progress) {
     State& state = *state_;
     const Clock::time_point start = Clock::now();
     const long end = rules_applied() + std::min(rules, std::numeric_limits<long>::max() - rules_applied());
+    Clock::time_point last_look = start;
     for (long taken = 0; !state.done() && rules_applied() < end; ++taken) {
         if (state.interpreter->queue().is_empty()) {
             state.begin_axiom();
         } else {
             state.interpreter->apply_next();
         }
-        const bool looks = taken % rules_between_looks == 0;
-        if (looks) report(progress, "growing", state.share_done());
-        state.within_bounds(looks ? Clock::now() - start : Clock::duration{});
+        const Clock::time_point now = Clock::now();
+        if (taken % rules_between_looks == 0 || now - last_look > longest_between_looks) {
+            report(progress, "growing", state.share_done());
+            last_look = now;
+        }
+        state.within_bounds(now - start);
     }
     state.spent += Clock::now() - start;
 }

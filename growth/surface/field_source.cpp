@@ -11,6 +11,7 @@
 #include "growth/surface/field_smooth.h"
 #include "growth/picture_png_read.h"
 #include "growth/surface/vertex_axes.h"
+#include "lsystem/similar_name.h"
 
 namespace rinceau {
 namespace {
@@ -40,10 +41,7 @@ struct Sources {
         if (n != 1 && n != 2 && n != 4) fail("the field's n is " + std::to_string(n) + "; expected 1, 2 or 4");
         return n;
     }
-    std::string file() const {
-        if (source.text.empty()) fail("expected the name of a file in quotation marks after \"" + source.kind + "\"");
-        return read(source.text);
-    }
+    std::string file() const { return read_named(read, source.text, source.place); }
     std::string label() const { return source.text.empty() ? source.place.file : source.text; }
 };
 
@@ -121,13 +119,14 @@ struct SourceKind {
     std::string name;
     std::vector<std::string> numbers;  ///< besides smooth and rounds
     SurfaceField (*make)(const Sources&);
+    bool of_file = false;
 };
 
 const std::vector<SourceKind>& source_kinds() {
-    static const std::vector<SourceKind> kinds{{"elements", {}, elements_source},
-                                               {"file", {}, file_source},
+    static const std::vector<SourceKind> kinds{{"elements", {}, elements_source, true},
+                                               {"file", {}, file_source, true},
                                                {"curvature", {}, curvature_source},
-                                               {"image", {"blur", "sigma", "across"}, image_source},
+                                               {"image", {"blur", "sigma", "across"}, image_source, true},
                                                {"constant", {"angle", "n"}, constant_source},
                                                {"radial", {"x", "y", "n"}, about_source},
                                                {"vortex", {"x", "y", "n"}, about_source},
@@ -143,18 +142,33 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-void check_names(const Sources& from, const SourceKind& kind) {
+void check_names(const FieldSource& source, const SourceKind& kind) {
     std::vector<std::string> known = kind.numbers;
     known.insert(known.end(), {"smooth", "rounds"});
     const auto expect_known = [&](const std::string& name) {
         if (std::ranges::find(known, name) == known.end())
-            from.fail("a field of the kind " + kind.name + " has no " + name + "; expected one of " + listed(known));
+            throw InputError(source.place,
+                             "a field of the kind " + kind.name + " has no " + name + "; expected one of " + listed(known));
     };
-    for (const auto& [name, value] : from.source.numbers) expect_known(name);
-    for (const auto& [name, word] : from.source.words) {
+    for (const auto& [name, value] : source.numbers) expect_known(name);
+    for (const auto& [name, word] : source.words) {
         expect_known(name);
-        from.fail("the field's " + name + " is \"" + word + "\"; expected a number");
+        throw InputError(source.place, "the field's " + name + " is \"" + word + "\"; expected a number");
     }
+}
+
+const SourceKind& checked_kind(const FieldSource& source) {
+    const auto kind = std::ranges::find(source_kinds(), source.kind, &SourceKind::name);
+    if (kind == source_kinds().end())
+        throw InputError(source.place, "expected the kind of a field, found '" + source.kind + "'" +
+                                           instead_of(source.kind, field_source_kinds()));
+    check_names(source, *kind);
+    if (kind->of_file && source.text.empty())
+        throw InputError(source.place, "expected the name of a file in quotation marks after \"" + source.kind + "\"");
+    if (!kind->of_file && !source.text.empty())
+        throw InputError(source.place,
+                         "expected no file for a field of the kind " + source.kind + ", found \"" + source.text + "\"");
+    return *kind;
 }
 
 }  // namespace
@@ -168,14 +182,13 @@ const std::vector<std::string>& field_source_kinds() {
     return names;
 }
 
+void check_field_source(const FieldSource& source) { checked_kind(source); }
+
 SurfaceField make_field(const FieldSource& source, const SurfaceMesh& surface, const ReadNamedFile& read,
                         const Progress& progress) {
+    const SourceKind& kind = checked_kind(source);
     const Sources from{source, surface, read, progress};
-    const auto kind = std::ranges::find(source_kinds(), source.kind, &SourceKind::name);
-    if (kind == source_kinds().end())
-        from.fail("unknown kind of field \"" + source.kind + "\"; expected one of " + listed(field_source_kinds()));
-    check_names(from, *kind);
-    SurfaceField field = kind->make(from);
+    SurfaceField field = kind.make(from);
     const double radius = from.number("smooth", 0);
     if (!(radius >= 0)) from.fail("the field's smooth is below 0; expected diagonals of the surface");
     field = smoothed(surface, std::move(field), radius, progress);

@@ -1,12 +1,12 @@
 #pragma once
 // Fields by the words of a grammar or a command line: field F1 = elements "vine.json" smooth = 0.03.
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "geometry/progress.h"
+#include "growth/surface/named_file.h"
 #include "growth/surface/surface_field.h"
 #include "scene/input_error.h"
 
@@ -36,11 +36,12 @@ struct FieldSource {
 /// The kinds, in the order above.
 const std::vector<std::string>& field_source_kinds();
 
-/// The bytes of a named file; throws InputError if it cannot be read.
-using ReadNamedFile = std::function<std::string(const std::string& name)>;
+/// Throws InputError at the source's place for an unknown kind, settings that the kind has not, and a file's name that is
+/// missing or not wanted.
+void check_field_source(const FieldSource& source);
 
-/// Throws InputError at the source's place for an unknown kind, a number that the kind has not or that is out of range, and
-/// in the file's name for what is wrong with a file.
+/// Throws InputError as check_field_source() and at the source's place for a number that is out of range, and in the file's
+/// name for what is wrong with a file.
 SurfaceField make_field(const FieldSource& source, const SurfaceMesh& surface, const ReadNamedFile& read,
                         const Progress& progress = {});
 

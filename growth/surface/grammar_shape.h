@@ -16,7 +16,7 @@ enum class CollideAs : unsigned char { box, disc, hull, outline };
 struct GrammarShape {
     std::string name;
     TriangleMesh mesh;
-    SpacePoint low, high;     ///< box of the mesh
+    SpacePoint low, high;     ///< box of the mesh; of a round kind, of its full circle
     Region outline;           ///< seen along the normal: drawn in the plane, and for collide = outline
     std::vector<Point> hull;  ///< for collide = hull: the convex hull of the outline, counter-clockwise
     CollideAs collide = CollideAs::box;

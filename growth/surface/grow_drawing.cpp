@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "growth/surface/laid_meshes.h"
 #include "growth/surface/start_place.h"
@@ -21,9 +22,10 @@ constexpr double curve_deviation = 4e-3;   // of an element's radius
 constexpr double finest_deviation = 2e-5;  // of the surface's diagonal
 constexpr double background_share = 0.97;  // of the drawing's box that an element fills to be its background
 
-/// A drawing that does not lie whole at its own size is tried smaller, down to this share of it.
+/// A drawing that does not lie whole at its own size is tried smaller, down to this share of it; a compact one, which would
+/// come apart when walked, then also stretched, and smaller.
 constexpr double smaller_step = 0.8;
-constexpr double least_share = 0.4;
+constexpr double least_share = 0.4, least_compact_share = 0.2;
 
 /// Boxes of the placed terminals' paths in the drawing.
 std::vector<Box> drawn_boxes(const Grammar& grammar, const TurtleScript& script) {
@@ -162,18 +164,24 @@ GrownDrawing grow_drawing(const Grammar& grammar, const SurfaceMesh& surface, co
     for (const DrawnElement& element : elements)
         if (element.art != nullptr) drawn = including(drawn, element.box);
     if (is_empty(drawn)) drawn = all;
-    const LayScriptOptions laying{options.lay, options.stretch, options.meet_itself, options.height > 0};
+    LayScriptOptions laying{options.lay, options.stretch, options.meet_itself, options.height > 0};
+    laying.ties = element_ties(elements);
     const auto lay_at = [&](double scale) {
         const TurtleWays ways_at{field, options.follow, scale};
         return lay_script(surface, script, elements, ways_at, first_stand(surface, field, options, ways_at, drawn), laying,
                           progress);
     };
-    LaidScript laid = lay_at(ways.scale);
-    const bool may_choose = !(options.scale > 0) && field == nullptr && options.lay == LayGroups::automatic;
-    for (double share = smaller_step; may_choose && !laid.whole && share > least_share; share *= smaller_step) {
-        LaidScript smaller = lay_at(share * ways.scale);
-        if (smaller.whole) laid = std::move(smaller);
-    }
+    LaidScript laid;
+    const bool may_choose = !(options.scale > 0) && options.lay != LayGroups::never;
+    laying.whole_only = true;
+    const bool is_compact = std::exchange(laying.ties.compact, false);
+    for (double share = 1; may_choose && !laid.whole && share > least_share; share *= smaller_step)
+        laid = lay_at(share * ways.scale);
+    laying.ties.compact = is_compact;
+    for (double share = 1; may_choose && is_compact && !laid.whole && share > least_compact_share; share *= smaller_step)
+        laid = lay_at(share * ways.scale);
+    laying.whole_only = false;
+    if (!laid.whole) laid = lay_at(ways.scale);
     std::vector<int> layers, order(laid.shapes.size());
     for (const LaidShape& shape : laid.shapes) layers.push_back(script.elements[at(shape.element)].layer);
     std::iota(order.begin(), order.end(), 0);

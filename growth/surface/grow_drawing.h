@@ -15,8 +15,8 @@ struct GrowDrawingOptions {
     std::optional<SurfacePoint> start;  ///< without one: a place far from borders and sharp bends
     double heading =
         0;  ///< degrees that the drawing's up is turned from the field (or from the surface's up), counter-clockwise
-    /// Surface length of a unit of the drawing. 0 = the drawing's diagonal becomes half of the surface's; without a field
-    /// less, down to a fifth, if so the whole drawing lies in one piece.
+    /// Surface length of a unit of the drawing. 0 = the drawing's diagonal becomes half of the surface's; less, down to a
+    /// fifth of that (two fifths if its elements do not fill its outline), if so the whole drawing lies in one piece.
     double scale = 0;
     double follow = 0.4;                   ///< of the field's turning: 1 = constant angle to it
     LayGroups lay = LayGroups::automatic;  ///< whole groups through one chart
@@ -33,7 +33,7 @@ struct GrownDrawing {
     SurfacePattern pattern;  ///< `laid`
     long elements = 0;       ///< of the drawing
     long laid = 0, shrunk = 0, split = 0, spines = 0, dropped = 0,
-         stopped = 0;  ///< stopped: at a border, or where it met itself
+         stopped = 0;  ///< stopped: at a border, where it met itself, or with what it hung on
     /// Of a surface that lies in the plane of x and y: the laid elements where they lie, in paint order, for pictures with
     /// true curves (to_scene.h). Empty of other surfaces.
     std::vector<Placement> placements;

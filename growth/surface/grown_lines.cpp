@@ -84,7 +84,9 @@ bool GrownLines::draw(ShapeScope& scope, const std::vector<SurfacePoint>& path, 
             if (meeting) {
                 line.merged = true;
                 to = meeting->point;
-                at = between(*surface_, path[i - 1], path[i], to);
+                const std::vector<SurfacePoint>& older = lines_[static_cast<std::size_t>(meeting->line)].at;
+                const auto piece = static_cast<std::size_t>(meeting->piece);
+                at = between(*surface_, older[piece], older[piece + 1], to);
             }
         }
         append(line, at, to, pen.width);

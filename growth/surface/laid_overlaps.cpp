@@ -117,7 +117,7 @@ std::vector<LaidOverlap> LaidOverlaps::with(const LaidShape& shape, double enoug
     balls_.visit(shape.centre, shape.radius, [&](int other) { near.push_back(other); });
     if (near.empty()) return {};
     std::ranges::sort(near);
-    near.erase(std::ranges::unique(near).begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     const Known known = known_of(shape);
     std::vector<LaidOverlap> overlaps;
     for (const int other : near) {

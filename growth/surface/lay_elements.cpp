@@ -20,6 +20,9 @@ constexpr int relaxing_rounds = 12;
 constexpr double strip_margin = 3;
 /// What the polar map has torn.
 constexpr double unusable_stretch = 8;
+constexpr double torn_edges = 3;  // length of a torn face's longest edge in the chart, by its own
+/// So much of the radius a drawing's sheet reaches out of its box.
+constexpr double sheet_margin = 0.3;
 
 /// The terminal's frame -> the chart's plane.
 Similarity to_chart(const ElementChart& chart, const Similarity& pose, const ElementLayer::Size& size) {
@@ -58,6 +61,17 @@ std::vector<ChartTriangle> part_with(const SurfaceMesh& surface, const std::vect
     for (std::size_t t = 0; t < patch.size(); ++t)
         if (taken[t]) part.push_back(patch[t]);
     return part;
+}
+
+/// Does it reach over the line behind the body where polar coordinates come together?
+bool is_torn(const SurfaceMesh& surface, const ChartTriangle& triangle) {
+    const auto& flat = surface.flat[at(triangle.face)];
+    double drawn = 0, own = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        drawn = std::max(drawn, abs(triangle.at[(k + 1) % 3] - triangle.at[k]));
+        own = std::max(own, abs(flat[(k + 1) % 3] - flat[k]));
+    }
+    return drawn > torn_edges * own;
 }
 
 }  // namespace
@@ -111,6 +125,23 @@ ElementChart ElementLayer::polar_chart(const DrawingStand& middle, double radius
 ElementChart ElementLayer::relaxed_polar_chart(const DrawingStand& middle, double radius) {
     std::vector<ChartTriangle> patch = patches_.patch(middle.at, middle.turn, relaxed_margin * scale_ * radius);
     return {drawing_chart(*surface_, relaxed_chart(*surface_, std::move(patch), relaxing_rounds)), middle, scale_};
+}
+
+ElementChart ElementLayer::sheet_chart(const DrawingStand& middle, double radius, const Box& drawn) {
+    std::vector<ChartTriangle> patch = patches_.patch(middle.at, middle.turn, relaxed_margin * scale_ * radius);
+    const Box reach =
+        grown({scale_ * (drawn.low - middle.drawn), scale_ * (drawn.high - middle.drawn)}, sheet_margin * scale_ * radius);
+    std::erase_if(patch, [&](const ChartTriangle& triangle) {
+        Box box;
+        for (const Complex p : triangle.at) box = including(box, p);
+        return triangle.face != middle.at.face && (!overlap(box, reach) || is_torn(*surface_, triangle));
+    });
+    if (!patch.empty()) patch = part_with(*surface_, patch, middle.at.face);
+    return {drawing_chart(*surface_, relaxed_chart(*surface_, std::move(patch), relaxing_rounds)), middle, scale_};
+}
+
+ElementChart ElementLayer::bent(const ElementChart& chart, const FieldOnSurface& field, double follow) const {
+    return {drawing_chart(*surface_, bent_chart(field, follow, chart.chart.triangles)), chart.middle, chart.scale};
 }
 
 ElementChart ElementLayer::strip_chart(const DrawingStand& middle, double radius, const DrawnStrip& strip) {

@@ -55,6 +55,12 @@ class ElementLayer {
     /// The same with its stretch shared out; wider, as what lies within the radius moves.
     ElementChart relaxed_polar_chart(const DrawingStand& middle, double radius);
 
+    /// For a whole drawing: relaxed, and only what lies under it (`drawn`, a box of the drawing) and about it; without faces
+    /// that the polar map has torn, so that it may reach round the body.
+    ElementChart sheet_chart(const DrawingStand& middle, double radius, const Box& drawn);
+    /// The same chart bent along a field (relax_chart.h).
+    ElementChart bent(const ElementChart& chart, const FieldOnSurface& field, double follow) const;
+
     /// Only the faces along the strip through the middle, relaxed: a narrow strip of any surface lies nearly flat.
     ElementChart strip_chart(const DrawingStand& middle, double radius, const DrawnStrip& strip);
 
@@ -69,6 +75,9 @@ class ElementLayer {
     /// All of the chosen elements, or none.
     Result lay(const ElementChart& chart, std::span<const DrawnElement> elements, std::span<const int> chosen,
                double stretch, const Size& size = {1, {}});
+
+    double scale() const { return scale_; }
+    const SurfaceMesh& surface() const { return *surface_; }
 
   private:
     LayFault lay_one(const ElementChart& chart, const DrawnElement& element, double stretch, const Size& size,

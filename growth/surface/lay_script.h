@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/progress.h"
+#include "growth/surface/element_contacts.h"
 #include "growth/surface/laid_shape.h"
 #include "growth/surface/lay_elements.h"
 #include "growth/surface/surface_turtle.h"
@@ -20,6 +21,11 @@ struct LayScriptOptions {
     double stretch = 1.5;      ///< that an element may have; a group half of it above 1
     bool meet_itself = false;  ///< keep elements that overlap on the surface but not in the drawing
     bool rims = false;         ///< lay outlines too, for walls
+    bool whole_only = false;   ///< nothing unless the whole drawing lies in one chart
+    /// A compact drawing goes through one chart as far as that reaches, instead of a walk. An element that is near a laid
+    /// one is set out from there; what has lost its support, or no longer hangs together with the rest, stops. Empty: all by
+    /// the turtle alone.
+    ElementTies ties = {};
 };
 
 /// An element that could not be laid, and where the turtle stood.

@@ -38,10 +38,19 @@ Point between(Point p, double p_side, Point q, double q_side) {
 }
 
 SmallPolygon cut_by(const SmallPolygon& polygon, Point a, Point b) {
-    SmallPolygon kept;
+    std::array<double, most_corners> sides;
+    int inside = 0;
     for (int k = 0; k < polygon.count; ++k) {
-        const Point p = polygon.corner[at(k)], q = polygon.corner[at(k + 1 == polygon.count ? 0 : k + 1)];
-        const double p_side = side(a, b, p), q_side = side(a, b, q);
+        sides[at(k)] = side(a, b, polygon.corner[at(k)]);
+        inside += sides[at(k)] >= 0 ? 1 : 0;
+    }
+    if (inside == polygon.count) return polygon;
+    SmallPolygon kept;
+    if (inside == 0) return kept;
+    for (int k = 0; k < polygon.count; ++k) {
+        const int next = k + 1 == polygon.count ? 0 : k + 1;
+        const Point p = polygon.corner[at(k)], q = polygon.corner[at(next)];
+        const double p_side = sides[at(k)], q_side = sides[at(next)];
         if (p_side >= 0) kept.add(p);
         if ((p_side > 0 && q_side < 0) || (p_side < 0 && q_side > 0)) kept.add(between(p, p_side, q, q_side));
     }
@@ -137,7 +146,8 @@ LayFault lay_triangles(const SurfaceMesh& surface, const DrawingChart& chart, co
 
 void lay_lines(const SurfaceMesh& surface, const DrawingChart& chart, std::span<const std::array<Point, 2>> lines,
                ChartVisits& visits, LaidPieces& laid) {
-    for (const auto& [start, end] : lines) {
+    for (const std::array<Point, 2>& line : lines) {
+        const Point start = line[0], end = line[1];  // clang 14 does not capture structured bindings
         Box box;
         box = including(including(box, start), end);
         visit_chart(chart, box, visits, [&](int t) {

@@ -102,7 +102,7 @@ std::optional<LineMeeting> LineSpace::first_meeting(SpacePoint from, SpacePoint 
         if (!passing) passing = running_into(piece, other);
         if (!passing) return;
         if (first && (passing->share > first->share || (passing->share == first->share && i > met))) return;
-        first = LineMeeting{other.line, passing->share, passing->point};
+        first = LineMeeting{other.line, pieces_->number_in_line[index], passing->share, passing->point};
         met = i;
     });
     return first;

@@ -10,6 +10,7 @@ namespace rinceau {
 
 struct LineMeeting {
     int line = 0;
+    int piece = 0;     ///< of that line, in the order in which they were added
     double share = 0;  ///< of the new piece, in [0, 1], where it meets
     SpacePoint point;  ///< on the line that was there
 };

@@ -78,11 +78,13 @@ class OverlapCount {
         const double shrink = 1 - options_->touch - options_->dead_band;
         if (!solids_overlap(a.solid, b.solid, shrink)) return;
         constexpr double opposed = -0.3;  // cosine of the normals on both faces of a thin sheet
-        if (is_ancestor(*pattern_, first, later, options_->kin)) {
+        if (dot(a.normal, b.normal) < opposed) {
+            ++result.through_sheet;
+        } else if (!(one.set >= 0 && other.set >= 0) && is_ancestor(*pattern_, first, later, options_->kin)) {
             const bool deep = solids_overlap(a.solid, b.solid, shrink / 2);
             ++(deep ? result.overlaps : result.kin_touching);
         } else {
-            ++(dot(a.normal, b.normal) < opposed ? result.through_sheet : result.overlaps);
+            ++result.overlaps;
         }
     }
 

@@ -80,7 +80,7 @@ class FaultFinder {
         for (int f = 0; f < static_cast<int>(mesh_.triangles.size()); ++f) {
             if (left_out_[at(f)] != 0) continue;
             std::array<int, 3> face = mesh_.triangles[at(f)];
-            std::ranges::rotate(face, std::ranges::min_element(face));
+            std::rotate(face.begin(), std::ranges::min_element(face), face.end());
             turned.push_back({face, f});
         }
         std::ranges::sort(turned);
@@ -121,8 +121,7 @@ class FaultFinder {
         for (int c = 0; c < static_cast<int>(3 * mesh_.triangles.size()); ++c)
             if (left_out_[at(c / 3)] == 0) sets.push_back({mesh_.triangles[at(c / 3)][at(c % 3)], joined.root(c)});
         std::ranges::sort(sets);
-        const auto doubles = std::ranges::unique(sets);
-        sets.erase(doubles.begin(), doubles.end());
+        sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
         for (std::size_t first = 0, end = 0; first < sets.size(); first = end) {
             while (end < sets.size() && sets[end].first == sets[first].first) ++end;
             if (end - first < 2) continue;

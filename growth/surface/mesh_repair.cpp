@@ -59,13 +59,13 @@ class ThinFaces {
         std::size_t longest = 0;
         for (const std::size_t k : {std::size_t{1}, std::size_t{2}})
             if (length_of_side(mesh_, face, k) > length_of_side(mesh_, face, longest)) longest = k;
-        std::ranges::rotate(face, face.begin() + static_cast<std::ptrdiff_t>(longest));
+        std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(longest), face.end());
         const auto [a, c, b] = face;
         const auto found = faces_.find(edge(a, c));
         if (found == faces_.end() || found->second.size() != 2) return false;
         const int g = found->second[0] == f ? found->second[1] : found->second[0];
         std::array<int, 3> other = mesh_.triangles[at(g)];
-        std::ranges::rotate(other, std::ranges::find(other, c));
+        std::rotate(other.begin(), std::ranges::find(other, c), other.end());
         const int d = other[2];
         if (other[1] != a || d == b || faces_.contains(edge(b, d))) return false;
         const std::array<int, 3> first{b, a, d}, second{d, c, b};

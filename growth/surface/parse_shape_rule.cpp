@@ -11,6 +11,8 @@ namespace rinceau {
 
 namespace {
 
+constexpr std::size_t most_parameters = 1000;  // they are compared with each other
+
 bool take_rule_sign(Scanner& scanner) { return scanner.take(rule_sign) || scanner.take(rule_arrow); }
 
 bool at_rule_sign(Scanner& scanner) { return scanner.peek(rule_sign) || scanner.peek(rule_arrow); }
@@ -53,6 +55,7 @@ std::vector<std::string> parse_parameters(Scanner& scanner) {
     if (!scanner.take("(") || scanner.take(")")) return parameters;
     do {
         const SourcePlace place = scanner.place();
+        if (parameters.size() == most_parameters) scanner.fail("at most " + std::to_string(most_parameters) + " parameters");
         parameters.push_back(scanner.name("the name of a parameter"));
         if (std::ranges::count(parameters, parameters.back()) > 1)
             throw InputError(place, "expected another name, found the parameter '" + parameters.back() + "' twice");

@@ -31,7 +31,7 @@ struct PolarMapper::View {
 
 namespace {
 
-constexpr int look_depth = 4;               // faces; GROWTH-3D section 3
+constexpr int look_depth = 4;               // faces
 constexpr double smallest_drop = 1e-10;     // of the mean edge: smaller gains are rounding, and would spread without end
 constexpr std::uint32_t most_changes = 64;  // of one label; a few are usual: bounds the work on any input
 constexpr double corner_share = 1e-9;       // of an edge: a source nearer to a corner lies on the vertex

@@ -1,5 +1,6 @@
 // The global step is one sparse factorisation for all rounds. Cotangents are kept above a small number, so that obtuse
-// triangles do not fold their neighbours.
+// triangles do not fold their neighbours. Bending is the global step alone, with turns that follow the field (a Poisson
+// equation): it lays a pattern along a field without the tears that walking from element to element leaves.
 
 #include "growth/surface/relax_chart.h"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/angle.h"
 #include "growth/surface/drawing_chart.h"
 
 namespace rinceau {
@@ -32,7 +34,7 @@ Patch patch_of(const SurfaceMesh& surface, const std::vector<ChartTriangle>& tri
     for (const ChartTriangle& triangle : triangles)
         for (const int v : surface.mesh.triangles[at(triangle.face)]) vertices.push_back(v);
     std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     patch.place.resize(vertices.size());
     constexpr double least_weight = 1e-2;
     for (const ChartTriangle& triangle : triangles) {
@@ -83,15 +85,25 @@ Sparse laplacian(const Patch& patch) {
     return matrix;
 }
 
+/// By triangle.
+std::vector<Complex> best_turns(const Patch& patch, const SurfaceMesh& surface,
+                                const std::vector<ChartTriangle>& triangles) {
+    std::vector<Complex> turns;
+    turns.reserve(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        turns.push_back(best_turn(patch, t, surface.flat[at(triangles[t].face)]));
+    return turns;
+}
+
+/// Places whose edges are nearest to the faces' edges so turned.
 void step(Patch& patch, const SurfaceMesh& surface, const std::vector<ChartTriangle>& triangles,
-          const Eigen::SimplicialLDLT<Sparse>& solver) {
+          const std::vector<Complex>& turns, const Eigen::SimplicialLDLT<Sparse>& solver) {
     Columns right = Columns::Zero(static_cast<Eigen::Index>(patch.place.size()), 2);
     for (std::size_t t = 0; t < patch.corners.size(); ++t) {
         const auto& flat = surface.flat[at(triangles[t].face)];
-        const Complex turn = best_turn(patch, t, flat);
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t n = (k + 1) % 3;
-            const Point wanted = patch.weight[t][k] * (turn * (flat[n] - flat[k]));
+            const Point wanted = patch.weight[t][k] * (turns[t] * (flat[n] - flat[k]));
             const int i = patch.corners[t][k], j = patch.corners[t][n];
             right(i, 0) -= wanted.x;
             right(i, 1) -= wanted.y;
@@ -129,6 +141,43 @@ void put_back(const SurfaceMesh& surface, std::vector<ChartTriangle>& triangles,
         for (Complex& p : triangle.at) p = (p - centre) * back;
 }
 
+void take_places(std::vector<ChartTriangle>& triangles, const Patch& patch) {
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) triangles[t].at[k] = patch.place[at(patch.corners[t][k])];
+}
+
+/// By triangle: how far it has to turn for the field to have the angle that it has at the origin. The branches of the field
+/// are told apart by going from neighbour to neighbour, from the face of the origin.
+std::vector<double> turning_to_field(const FieldOnSurface& field, const std::vector<ChartTriangle>& triangles,
+                                     const std::vector<Complex>& turns, const ChartPlace& origin) {
+    const SurfaceMesh& surface = field.surface();
+    const int n = field.n();
+    std::vector<int> triangle_of(at(surface.faces()), -1);
+    for (std::size_t t = 0; t < triangles.size(); ++t) triangle_of[at(triangles[t].face)] = static_cast<int>(t);
+    const double wanted = arg(field.at(origin.at)) - n * arg(origin.x);
+    const auto off = [&](int t) {
+        const SurfacePoint middle = from_barycentric(surface, triangles[at(t)].face, {1.0 / 3, 1.0 / 3, 1.0 / 3});
+        return wanted - arg(field.at(middle)) - n * arg(turns[at(t)]);
+    };
+    std::vector<double> turning(triangles.size(), 0);
+    std::vector<bool> known(triangles.size(), false);
+    std::vector<int> queue{triangle_of[at(origin.at.face)]};
+    turning[at(queue.front())] = wrap_angle(off(queue.front())) / n;
+    known[at(queue.front())] = true;
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+        const int from = queue[next];
+        for (int h = 3 * triangles[at(from)].face, last = h + 3; h < last; ++h) {
+            const int twin = surface.twin[at(h)];
+            const int to = twin < 0 ? -1 : triangle_of[at(face_of(twin))];
+            if (to < 0 || known[at(to)]) continue;
+            known[at(to)] = true;
+            turning[at(to)] = turning[at(from)] + wrap_angle(off(to) - n * turning[at(from)]) / n;
+            queue.push_back(to);
+        }
+    }
+    return turning;
+}
+
 }  // namespace
 
 std::vector<ChartTriangle> relaxed_chart(const SurfaceMesh& surface, std::vector<ChartTriangle> triangles, int rounds) {
@@ -137,9 +186,25 @@ std::vector<ChartTriangle> relaxed_chart(const SurfaceMesh& surface, std::vector
     Patch patch = patch_of(surface, triangles);
     Eigen::SimplicialLDLT<Sparse> solver(laplacian(patch));
     if (solver.info() != Eigen::Success) return triangles;
-    for (int round = 0; round < rounds; ++round) step(patch, surface, triangles, solver);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) triangles[t].at[k] = patch.place[at(patch.corners[t][k])];
+    for (int round = 0; round < rounds; ++round)
+        step(patch, surface, triangles, best_turns(patch, surface, triangles), solver);
+    take_places(triangles, patch);
+    put_back(surface, triangles, *origin);
+    return triangles;
+}
+
+std::vector<ChartTriangle> bent_chart(const FieldOnSurface& field, double follow, std::vector<ChartTriangle> triangles) {
+    const SurfaceMesh& surface = field.surface();
+    const std::optional<ChartPlace> origin = origin_of(surface, triangles);
+    if (!origin || !(abs(field.at(origin->at)) > 0)) return triangles;
+    Patch patch = patch_of(surface, triangles);
+    Eigen::SimplicialLDLT<Sparse> solver(laplacian(patch));
+    if (solver.info() != Eigen::Success) return triangles;
+    std::vector<Complex> turns = best_turns(patch, surface, triangles);
+    const std::vector<double> turning = turning_to_field(field, triangles, turns, *origin);
+    for (std::size_t t = 0; t < turns.size(); ++t) turns[t] = turns[t] * polar(1, follow * turning[t]);
+    step(patch, surface, triangles, turns, solver);
+    take_places(triangles, patch);
     put_back(surface, triangles, *origin);
     return triangles;
 }

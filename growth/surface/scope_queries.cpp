@@ -149,6 +149,8 @@ double ScopeQueries::of_field(const ShapeQuery& query) {
         case FieldQuantity::blue:
         case FieldQuantity::brightness:
             return from_picture(field, query.quantity);
+        case FieldQuantity::value:
+            return field.scalar_at(p);
     }
     return 0;
 }

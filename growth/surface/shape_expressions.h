@@ -34,6 +34,9 @@ struct CompiledShapeRule {
     const ShapeRule* source = nullptr;
 };
 
+constexpr double most_scattered = 1e7;  ///< places of one axiom
+
+/// Its numbers are finite; a vertex and how many to scatter are whole numbers from 0, the latter up to most_scattered.
 struct CompiledShapeAxiom {
     ShapeAxiom::Where where = ShapeAxiom::Where::vertex;
     std::vector<double> numbers;

@@ -3,7 +3,8 @@
 //   that was saved before the shape that failed. The paper culls the rest of the string (cull = rule).
 // - A symbol that can only place one thing is derived where it stands (decisive_symbols.h), so that its collision culls too.
 // - A merged shape culls as well: its twin has already grown what would follow.
-// - The parts of a Lock are tested against everything outside of it, not against each other.
+// - The parts of a Lock are tested against everything outside of it, not against each other. What comes from a Lock may touch
+//   it as any shape may touch its ancestors, but not the parts of another Lock: those are patterns beside each other.
 #include "growth/surface/shape_interpreter.h"
 
 #include <algorithm>
@@ -19,6 +20,9 @@ namespace rinceau {
 namespace {
 
 constexpr long most_rules_of_a_set = 100'000;
+constexpr int most_shapes_of_a_set = 100'000;  // they are all looked at if they are all in one place
+constexpr double least_size = 1e-15, largest_size = 1e9;  // of a scope, diagonals of the surface
+constexpr int most_at_once = 100;  // symbols derived in each other where they stand: keeps the call stack small
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -152,6 +156,11 @@ ShapeInterpreter::Hit ShapeInterpreter::apply(WaitingSymbol symbol) {
         (set_ ? set_->queue : queue_).push(std::move(symbol));
         return Hit::none;
     }
+    if (set_ && ++set_->rules > most_rules_of_a_set) {
+        set_->failed = true;
+        endless_lock_ = symbol.rule;
+        return Hit::ended;
+    }
     ++counts_.rules_applied;
     ++applied_[at(symbol.rule)];
     ShapeScope scope = std::move(symbol.scope);
@@ -259,10 +268,12 @@ ShapeInterpreter::Hit ShapeInterpreter::move(const CompiledShapeCommand& command
 void ShapeInterpreter::set_size(const CompiledShapeCommand& command, ShapeScope& scope, const Production& production) {
     const SpacePoint size{number(command, 0, scope, production), number(command, 1, scope, production),
                           number(command, 2, scope, production)};
-    if (!(size.x > 0 && size.y > 0 && size.z > 0))
+    const double diagonal = surface_->diagonal;
+    const auto fits = [&](double length) { return length >= least_size * diagonal && length <= largest_size * diagonal; };
+    if (!(fits(size.x) && fits(size.y) && fits(size.z)))
         fail(command, production,
-             "expected a size above 0 in each direction, found " + number_text(size.x) + ", " + number_text(size.y) + ", " +
-                 number_text(size.z));
+             "expected sizes above 0, up to 1e9 diagonals of the surface, found " + number_text(size.x) + ", " +
+                 number_text(size.y) + ", " + number_text(size.z));
     scope.size = size;
 }
 
@@ -287,6 +298,7 @@ void ShapeInterpreter::set_attribute(const CompiledShapeCommand& command, ShapeS
 bool ShapeInterpreter::merge_with_twin(const CompiledShapeCommand& command, ShapeScope& scope, const ScopeFrame& frame,
                                        const Production& production) {
     const double distance = number(command, 0, scope, production), angle = number(command, 1, scope, production);
+    if (distance < 0) fail(command, production, "expected a distance of at least 0, found " + number_text(distance));
     const auto twin = placed_.twin(ground_->shapes[at(command.shape)], frame, distance, angle);
     if (!twin) return false;
     ++counts_.merged_points;
@@ -306,6 +318,8 @@ ShapeInterpreter::Hit ShapeInterpreter::place(const CompiledShapeCommand& comman
     const ScopeFrame frame = frame_in_space(*surface_, scope);
     const bool merges = command.verb == ShapeVerb::place_merged;
     if (merges && merge_with_twin(command, scope, frame, production)) return Hit::omitted;
+    if (set_ && placed_.size() - set_->first >= most_shapes_of_a_set)
+        fail(command, production, "expected at most " + std::to_string(most_shapes_of_a_set) + " shapes in one Lock");
     PatternShape shape;
     shape.shape = ground_->shapes[at(command.shape)];
     shape.position = frame.position;
@@ -317,12 +331,13 @@ ShapeInterpreter::Hit ShapeInterpreter::place(const CompiledShapeCommand& comman
     shape.depth = production.depth;
     shape.tested = command.verb == ShapeVerb::place_clear || set_ || ground_->options.collide_all;
     if (scope.attributes) shape.attributes = *scope.attributes;
-    const std::vector<int> kin = kin_.last(scope.kin, std::max(1, ground_->options.kin));
+    std::vector<int> kin = kin_.last(scope.kin, std::max(1, ground_->options.kin));
     shape.parent = kin.empty() ? -1 : kin.front();
     shape.set = set_ ? set_number_ : -1;
     const int end = set_ ? set_->first : placed_.size();
-    const std::span<const int> may_touch = std::span(kin).first(std::min(kin.size(), at(ground_->options.kin)));
-    if (shape.tested && placed_.overlaps(shape, frame, may_touch, end)) {
+    kin.resize(std::min(kin.size(), at(ground_->options.kin)));
+    if (set_) std::erase_if(kin, [&](int ancestor) { return placed_.placed()[at(ancestor)].set >= 0; });
+    if (shape.tested && placed_.overlaps(shape, frame, kin, end)) {
         ++counts_.collisions_avoided;
         if (set_) set_->failed = true;
         return Hit::omitted;
@@ -334,10 +349,10 @@ ShapeInterpreter::Hit ShapeInterpreter::place(const CompiledShapeCommand& comman
 ShapeInterpreter::Hit ShapeInterpreter::draw_line(const CompiledShapeCommand& command, ShapeScope& scope,
                                                   const Production& production) {
     const double length = number(command, 0, scope, production), width = number(command, 1, scope, production);
-    if (length < 0 || width <= 0)
-        fail(
-            command, production,
-            "expected a length of at least 0 and a width above 0, found " + number_text(length) + ", " + number_text(width));
+    if (length < 0 || width <= 0 || width > largest_size * surface_->diagonal)
+        fail(command, production,
+             "expected a length of at least 0 and a width above 0, up to 1e9 diagonals of the surface, found " +
+                 number_text(length) + ", " + number_text(width));
     const ScopeWalk way = walk(moves_, scope, {length, 0}, false, true, counts_);
     const LinePen pen{scope.line_merges, width, scope.color ? *scope.color : Color{204, 204, 204}};
     if (lines_.draw(scope, way.path, pen)) {
@@ -368,13 +383,15 @@ ShapeInterpreter::Hit ShapeInterpreter::symbol(const CompiledShapeCommand& comma
     begun.depth = production.depth + 1;
     begun.sequence = sequence_++;
     begun.key = key_of_child(production.key, command.ordinal);
-    if (!decisive_[at(command.symbol)]) {
+    if (!decisive_[at(command.symbol)] || at_once_ == most_at_once) {
         (set_ ? set_->queue : queue_).push(std::move(begun));
         return Hit::none;
     }
     begun.priority = 0;  // at once, whichever of its rules it takes
     const int first = placed_.size();
+    ++at_once_;
     const Hit hit = apply(std::move(begun));
+    --at_once_;
     const bool omitted = hit == Hit::inside ? placed_.size() == first : hit != Hit::none;
     for (int number = std::max(first, placed_.size() - ground_->options.kin); number < placed_.size(); ++number)
         scope.kin = kin_.with(scope.kin, number);
@@ -383,15 +400,7 @@ ShapeInterpreter::Hit ShapeInterpreter::symbol(const CompiledShapeCommand& comma
 
 /// All symbols that its parts began, at once.
 void ShapeInterpreter::derive_set() {
-    while (!set_->queue.is_empty() && !set_->failed) {
-        WaitingSymbol next = set_->queue.pop();
-        if (++set_->rules > most_rules_of_a_set) {
-            set_->failed = true;
-            endless_lock_ = ground_->compiled->symbols[at(next.symbol)].rules.front();
-            return;
-        }
-        apply(std::move(next));
-    }
+    while (!set_->queue.is_empty() && !set_->failed) apply(set_->queue.pop());
 }
 
 ShapeInterpreter::Hit ShapeInterpreter::lock(const CompiledShapeCommand& command, ShapeScope& scope,

@@ -85,6 +85,7 @@ class ShapeInterpreter {
     std::optional<Set> set_;
     int set_number_ = 0;  ///< of the next Lock that stands
     std::optional<int> endless_lock_;
+    int at_once_ = 0;  ///< symbols that are being derived where they stand, one in the other
     long sequence_ = 0;
 
     bool culls_nothing() const { return ground_->options.cull == CullScope::none; }

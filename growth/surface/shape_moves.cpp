@@ -1,5 +1,5 @@
 // Li et al. 2010, section 4.3.1. Charts are an addition: a ring of places walked to one by one does not close on a curved
-// surface, one laid through a geodesic polar map does (GROWTH-3D.md, sections 8 and 10).
+// surface, one laid through a geodesic polar map does.
 #include "growth/surface/shape_moves.h"
 
 #include <algorithm>

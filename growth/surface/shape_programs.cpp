@@ -24,7 +24,9 @@ std::uint64_t salt_of_name(const std::string& name) {
 
 ShapeNames::ShapeNames(const ShapeGrammar& grammar, const ShapeGrammarSetting& setting, std::vector<Warning>& mistakes)
     : grammar_(&grammar) {
-    scope_.constants = {{"diagonal", setting.diagonal}, {"area", setting.area}, {"edge", setting.mean_edge}};
+    scope_.constants = {{"diagonal", setting.diagonal}, {"area", setting.area},    {"edge", setting.mean_edge},
+                        {"left", setting.low.x},        {"right", setting.high.x}, {"bottom", setting.low.y},
+                        {"top", setting.high.y},        {"back", setting.low.z},   {"front", setting.high.z}};
     for (const ShapeParam& param : grammar.params) {
         double value = 1;
         try {
@@ -42,7 +44,7 @@ void ShapeNames::fail_unknown(const std::string& name, const std::vector<std::st
     std::vector<std::string> known = parameters;
     for (const ShapeParam& param : grammar_->params) known.push_back(param.name);
     const bool later = std::ranges::find(grammar_->params, name, &ShapeParam::name) != grammar_->params.end();
-    known.insert(known.end(), {"depth", "diagonal", "area", "edge"});
+    known.insert(known.end(), {"depth", "diagonal", "area", "edge", "left", "right", "bottom", "top", "back", "front"});
     throw InputError(place, later ? "expected a param that is set before this one, found '" + name + "'"
                                   : "expected a parameter of the rule or a param, found the unknown name '" + name + "'" +
                                         instead_of(name, known));

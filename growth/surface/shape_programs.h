@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "growth/mesh/triangle_mesh.h"
 #include "growth/surface/shape_queries.h"
 #include "lsystem/program.h"
 
@@ -14,9 +15,11 @@ namespace rinceau {
 /// What a grammar's numbers depend on besides its text.
 struct ShapeGrammarSetting {
     std::uint64_t seed = 1;
-    double diagonal = 1;   ///< of the surface's box: the name `diagonal` in expressions
-    double area = 1;       ///< of the surface: `area`
-    double mean_edge = 1;  ///< of the surface: `edge`
+    double diagonal = 1;               ///< of the surface's box: the name `diagonal` in expressions
+    double area = 1;                   ///< of the surface: `area`
+    double mean_edge = 1;              ///< of the surface: `edge`
+    SpacePoint low{-0.5, -0.5, -0.5};  ///< corners of the surface's box: `left` `bottom` `back`
+    SpacePoint high{0.5, 0.5, 0.5};    ///< and `right` `top` `front`
 };
 
 /// An expression made ready. Refers to the grammar that it is of.

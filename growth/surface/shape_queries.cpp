@@ -109,6 +109,7 @@ const std::vector<FieldQuantityInfo>& field_quantities() {
         {"green", Quantity::green, false},
         {"blue", Quantity::blue, false},
         {"brightness", Quantity::brightness, false},
+        {"value", Quantity::value, false},
     };
     return quantities;
 }

@@ -28,13 +28,14 @@ enum class FieldQuantity : unsigned char {
     divergence,  ///< div: of the field of vector1
     curl,        ///< of the field of vector1, about the normal
     curvature,   ///< of the field line through the place, 1 / length; positive where it bends to the left
-    gradient,    ///< component in space of the gradient of length1
+    gradient,    ///< component in space of the gradient of value where there are numbers by vertex, else of length1
     index,       ///< of the face: in n-th parts of a turn
     distance,    ///< dist: in space, to the nearest singular point; the surface's diagonal if there is none
     red,         ///< of an image's colour at the place, 0 .. 255
     green,       ///< likewise
     blue,        ///< likewise
-    brightness   ///< of an image at the place, 0 .. 1
+    brightness,  ///< of an image at the place, 0 .. 1
+    value        ///< the field's number: of the numbers by vertex if it has some, else brightness or strength
 };
 
 struct ShapeQuery {

@@ -9,8 +9,8 @@ namespace rinceau {
 namespace {
 
 [[noreturn]] void fail(const ShapeSource& source, const std::string& expected, const std::string& found) {
-    throw InputError(source.place,
-                     "the " + source.kind + " '" + source.name + "': expected " + expected + ", found " + found);
+    const std::string kind = source.kind.empty() ? "option" : source.kind;
+    throw InputError(source.place, "the " + kind + " '" + source.name + "': expected " + expected + ", found " + found);
 }
 
 void check_names(const ShapeSource& source, const std::vector<NumberSetting>& numbers,

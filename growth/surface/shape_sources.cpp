@@ -47,6 +47,7 @@ struct ShapeKind {
 };
 
 constexpr double most_corners = 1000;
+constexpr double round_radius = 0.5;  // of all shapes that collide as discs
 
 NumberSetting detail(double value, double low = 3) { return {"detail", value, low, most_corners, true}; }
 NumberSetting height_setting() { return {"height", 1, 1e-6, 1e6}; }
@@ -253,7 +254,7 @@ std::string text_of_file(const ShapeKind& kind, const ShapeSource& source, const
     if (!kind.has_file && !source.text.empty())
         throw InputError(source.place, "the shape '" + source.name + "': expected settings behind " + source.kind +
                                            ", found \"" + source.text + "\"");
-    return kind.has_file ? read_file(source.text) : std::string();
+    return kind.has_file ? read_named(read_file, source.text, source.place) : std::string();
 }
 
 /// The draft whose number of faces is nearest to faces = n, by halving the range of the setting that makes it finer.
@@ -314,6 +315,11 @@ GrammarShape make_shape(const ShapeSource& source, const ReadNamedFile& read_fil
     const auto [low, high] = bounds(shape.mesh);
     shape.low = low;
     shape.high = high;
+    if (kind.collide == CollideAs::disc) {
+        // the corners of a coarse round shape, or of one that is cut, need not reach as far as its circle
+        shape.low.x = shape.low.y = -round_radius;
+        shape.high.x = shape.high.y = round_radius;
+    }
     const auto collide = std::ranges::find(collide_names, values.words.find("collide")->second);
     shape.collide = static_cast<CollideAs>(collide - collide_names.begin());
     return shape;

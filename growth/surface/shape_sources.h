@@ -4,12 +4,11 @@
 #include <functional>
 
 #include "growth/surface/grammar_shape.h"
+#include "growth/surface/named_file.h"
 #include "growth/surface/shape_grammar.h"
 
 namespace rinceau {
 
-/// The text of a file by the name that the grammar gives it. Throws InputError.
-using ReadNamedFile = std::function<std::string(const std::string& name)>;
 /// The value of a setting, an expression of the grammar's params. Throws InputError.
 using NumberOfSetting = std::function<double(const Expression& expression)>;
 

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
+
+#include "geometry/angle.h"
 
 namespace rinceau {
 namespace {
@@ -12,14 +16,15 @@ constexpr double good_stretch = 1.25;  // of a group of elements
 constexpr int places = 60;
 constexpr double largest_disc = 0.2;  // of the diagonal
 
-/// Share of the disc that is there and hardly stretched.
+/// Share of the disc that is there, hardly stretched, and seen when looked at from straight above its middle.
 double flat_share(const SurfaceMesh& surface, PatchMaker& patches, SurfacePoint place, double radius) {
+    const SpacePoint above = normal_at(surface, place);
     double good = 0;
     for (const ChartTriangle& triangle : patches.patch(place, {1, 0}, radius)) {
         const auto& q = triangle.at;
         const Complex middle = (1.0 / 3) * (q[0] + q[1] + q[2]);
         if (abs(middle) > radius || chart_stretch(surface, triangle) > good_stretch) continue;
-        good += 0.5 * cross(q[1] - q[0], q[2] - q[0]);
+        good += 0.5 * cross(q[1] - q[0], q[2] - q[0]) * std::max(0.0, dot(surface.frame[at(triangle.face)][2], above));
     }
     return good / (pi * radius * radius);
 }
@@ -42,6 +47,20 @@ bool is_seen(const SurfaceMesh& surface, SurfacePoint place, SpacePoint eye) {
     return true;
 }
 
+/// Share of the directions about the normal from which the place is seen.
+double openness(const SurfaceMesh& surface, SurfacePoint place) {
+    const auto& frame = surface.frame[at(place.face)];
+    constexpr int around = 8;
+    constexpr double leaning = 45 * pi / 180;
+    int seen = is_seen(surface, place, frame[2]) ? around : 0;  // straight above counts as much as all others
+    for (int k = 0; k < around; ++k) {
+        const Complex side = polar(std::sin(leaning), two_pi * k / around);
+        const SpacePoint eye = side.x * frame[0] + side.y * frame[1] + std::cos(leaning) * frame[2];
+        seen += is_seen(surface, place, eye) ? 1 : 0;
+    }
+    return 0.5 * seen / around;
+}
+
 }  // namespace
 
 SurfacePoint start_place(const SurfaceMesh& surface, double radius) {
@@ -50,34 +69,38 @@ SurfacePoint start_place(const SurfaceMesh& surface, double radius) {
     constexpr double front = 0.3;  // how much it counts to be seen from the front
     PatchMaker patches(surface);
     Random random(1);
-    SurfacePoint best;
-    double best_score = -1;
+    std::vector<std::pair<double, SurfacePoint>> candidates;
     for (int k = 0; k < places; ++k) {
         const SurfacePoint place = random_surface_point(surface, random);
-        const SpacePoint normal = normal_at(surface, place);
-        // a place inside of a hole is no place to be looked at
-        const double open = is_seen(surface, place, normal) ? 1 : 0;
-        const double score = flat_share(surface, patches, place, disc) + front * dot(normal, eye) + open;
-        if (score > best_score) {
-            best_score = score;
-            best = place;
-        }
+        candidates.push_back(
+            {flat_share(surface, patches, place, disc) + front * dot(normal_at(surface, place), eye), place});
+    }
+    // a place inside of a hole is no place to be looked at; finding that out takes long, so the best are asked first
+    std::ranges::stable_sort(candidates, std::ranges::greater{}, [](const auto& candidate) { return candidate.first; });
+    SurfacePoint best = candidates.front().second;
+    double best_score = -1;
+    for (const auto& [score, place] : candidates) {
+        if (score + 1 <= best_score) break;
+        const double seen = score + openness(surface, place);
+        if (seen <= best_score) continue;
+        best_score = seen;
+        best = place;
     }
     return best;
 }
 
 Complex start_up(const SurfaceMesh& surface, const FieldOnSurface* field, SurfacePoint place) {
-    if (field != nullptr) {
-        const Complex z = field->at(place);
-        if (abs(z) > 0) return polar(1, arg(z) / field->n());
-    }
     const auto& frame = surface.frame[at(place.face)];
     constexpr double steep = 0.05;  // sine of the angle to the normal below which there is no up
-    for (const SpacePoint& axis : {SpacePoint{0, 1, 0}, SpacePoint{0, 0, -1}}) {
-        const Complex up{dot(axis, frame[0]), dot(axis, frame[1])};
-        if (abs(up) > steep) return up / abs(up);
+    Complex up{1, 0};
+    for (const SpacePoint& axis : {SpacePoint{0, 0, -1}, SpacePoint{0, 1, 0}}) {
+        const Complex seen{dot(axis, frame[0]), dot(axis, frame[1])};
+        if (abs(seen) > steep) up = seen / abs(seen);
     }
-    return {1, 0};
+    if (field == nullptr || !(abs(field->at(place)) > 0)) return up;
+    // of the field's directions the one that is nearest to that
+    const double angle = arg(field->at(place)) / field->n(), part = two_pi / field->n();
+    return polar(1, angle + part * std::round(wrap_angle(arg(up) - angle) / part));
 }
 
 }  // namespace rinceau

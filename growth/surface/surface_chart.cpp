@@ -1,4 +1,4 @@
-// GROWTH-3D section 8. A face's linear map into the chart is z -> a z + b conj(z) on its flat frame: its singular values are
+// A face's linear map into the chart is z -> a z + b conj(z) on its flat frame: its singular values are
 // |a| + |b| and |a| - |b|, and it flips where the second is negative.
 
 #include "growth/surface/surface_chart.h"

@@ -63,20 +63,28 @@ TriangleMesh plane_mesh(const PlanePiece& piece) {
 }
 
 ShapeGrammarSetting grammar_setting(const SurfaceMesh& surface, std::uint64_t seed) {
-    return {.seed = seed, .diagonal = surface.diagonal, .area = surface.area, .mean_edge = surface.mean_edge};
+    const auto [low, high] = bounds(surface.mesh);
+    return {.seed = seed,
+            .diagonal = surface.diagonal,
+            .area = surface.area,
+            .mean_edge = surface.mean_edge,
+            .low = low,
+            .high = high};
+}
+
+FieldSource field_source_of(const ShapeSource& source, const ShapeGrammar& grammar, const ShapeGrammarSetting& setting) {
+    return {.name = source.name,
+            .kind = source.kind,
+            .text = source.text,
+            .numbers = evaluated_numbers(source, grammar, setting),
+            .words = source.words,
+            .place = source.place};
 }
 
 std::shared_ptr<const FieldOnSurface> make_world_field(const ShapeSource& source, const ShapeGrammar& grammar,
                                                        const SurfaceMesh& surface, const ReadNamedFile& read_file,
                                                        std::uint64_t seed, const Progress& progress) {
-    if (!source.words.empty()) {
-        const auto& [key, word] = *source.words.begin();
-        throw InputError(source.place, "expected a number for " + key + " = .. of the field, found '" + word + "'");
-    }
-    const FieldSource evaluated{.kind = source.kind,
-                                .text = source.text,
-                                .numbers = evaluated_numbers(source, grammar, grammar_setting(surface, seed)),
-                                .place = source.place};
+    const FieldSource evaluated = field_source_of(source, grammar, grammar_setting(surface, seed));
     return std::make_shared<const FieldOnSurface>(surface, make_field(evaluated, surface, read_file, progress));
 }
 

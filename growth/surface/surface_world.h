@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/progress.h"
+#include "growth/surface/field_source.h"
 #include "growth/surface/grammar_shape.h"
 #include "growth/surface/shape_grammar.h"
 #include "growth/surface/shape_programs.h"
@@ -43,6 +44,9 @@ TriangleMesh plane_mesh(const PlanePiece& piece);
 /// the grammar gives them. Throws InputError with the place of the source or of the file.
 SurfaceWorld make_world(const ShapeGrammar& grammar, std::shared_ptr<const SurfaceMesh> surface,
                         const ReadNamedFile& read_file, std::uint64_t seed = 1, const Progress& progress = {});
+
+/// What a grammar says of a field, its numbers evaluated. Throws InputError for numbers that have no value.
+FieldSource field_source_of(const ShapeSource& source, const ShapeGrammar& grammar, const ShapeGrammarSetting& setting);
 
 /// A field from a source as a grammar writes it behind the '=': "smoothest n = 4". Throws InputError.
 std::shared_ptr<const FieldOnSurface> make_world_field(const ShapeSource& source, const ShapeGrammar& grammar,

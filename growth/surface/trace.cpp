@@ -259,7 +259,7 @@ void Walk::go_along_field() {
     }
 }
 
-/// GROWTH-3D section 8: straight for a while, then turned by a share of what the field has turned against the walk.
+/// Straight for a while, then turned by a share of what the field has turned against the walk.
 void Walk::follow_in_part() {
     const int n = field_->n();
     const double substeps = std::max<double>(least_substeps, std::ceil(rest_ / surface_.longest_edge));

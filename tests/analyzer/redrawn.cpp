@@ -18,7 +18,9 @@ Path with_closing_line(Path path) {
 Path from_other_node(const Path& path, std::size_t shift) {
     if (!path.closed || path.segments.empty()) return path;
     Path result = with_closing_line(path);
-    std::ranges::rotate(result.segments, result.segments.begin() + static_cast<std::ptrdiff_t>(shift % result.segments.size()));
+    std::rotate(result.segments.begin(),
+                result.segments.begin() + static_cast<std::ptrdiff_t>(shift % result.segments.size()),
+                result.segments.end());
     result.start = result.segments.back().to;
     return result;
 }

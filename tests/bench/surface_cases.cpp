@@ -19,12 +19,30 @@ std::string file_text(const std::string& name) {
 
 namespace {
 
+SurfaceReading reading_of(const std::filesystem::path& file, bool repair) {
+    return read_surface(file_text(file.string()), file.string(), {.repair = repair});
+}
+
 MeshCase read_case(const std::filesystem::path& file, bool own) {
-    MeshCase one{.name = file.stem().string(), .own = own};
+    MeshCase one;
+    one.name = file.stem().string();
+    one.own = own;
+    const auto keep = [&](SurfaceReading reading, std::shared_ptr<const SurfaceMesh>& to) {
+        one.warnings = std::move(reading.warnings);
+        to = std::make_shared<const SurfaceMesh>(std::move(reading.surface));
+    };
+    const std::clock_t begin = std::clock();
     try {
-        one.surface = std::make_shared<const SurfaceMesh>(read_surface(file_text(file.string()), file.string()).surface);
+        keep(reading_of(file, false), one.surface);
     } catch (const InputError& error) {
         one.refusal = error.what();
+    }
+    one.seconds = processor_seconds(begin);
+    if (one.surface) return one;
+    try {
+        keep(reading_of(file, true), one.repaired);
+    } catch (const InputError&) {
+        one.repaired = nullptr;  // the refusal has said it
     }
     return one;
 }

@@ -22,7 +22,7 @@ SurfaceField random_field(const SurfaceMesh& surface, int n, std::uint64_t seed)
 void index_lines(GrowthLines& lines, const std::vector<MeshCase>& cases) {
     lines.begin("fields, sum of indices");
     for (const MeshCase& one : cases) {
-        if (!one.surface || one.surface->border_edges > 0) continue;
+        if (!is_closed(one)) continue;
         double off = 0;
         for (const int n : {1, 2, 4}) {
             const FieldOnSurface field(*one.surface, random_field(*one.surface, n, 5));
@@ -79,9 +79,9 @@ void curvature_lines(GrowthLines& lines) {
 
 }  // namespace
 
-void field_lines(GrowthLines& lines, const SurfaceBenchOptions& options) {
+void field_lines(GrowthLines& lines, const SurfaceBenchOptions& options, const std::vector<MeshCase>& meshes) {
     if (!options.wants("fields")) return;
-    index_lines(lines, mesh_cases(options));
+    index_lines(lines, meshes);
     smoothest_lines(lines);
     curvature_lines(lines);
 }

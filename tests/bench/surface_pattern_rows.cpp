@@ -14,6 +14,7 @@
 #include "scene/svg_raster.h"
 #include "surface_bench.h"
 #include "surface_cases.h"
+#include "surface_table.h"
 
 namespace rinceau::test {
 namespace {
@@ -88,37 +89,6 @@ std::optional<double> index_sum(const SurfaceWorld& world) {
     return static_cast<double>(field.index_sum()) / field.n();
 }
 
-std::string short_text(double value) {
-    std::ostringstream out;
-    out << std::setprecision(3) << value;
-    return out.str();
-}
-
-/// Prints cells under their titles, or as comma-separated values.
-class RowPrinter {
-  public:
-    explicit RowPrinter(bool csv) : csv_(csv) {}
-    void print(const std::vector<std::string>& cells) const {
-        constexpr int widths[] = {9, 16, 8, 9, 8, 8, 8, 11, 11, 10, 9, 7, 6, 0};
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (csv_) {
-                std::cout << (i == 0 ? "" : ",") << cells[i];
-            } else {
-                std::cout << std::left << std::setw(widths[std::min(i, std::size(widths) - 1)]) << cells[i] << ' ';
-            }
-        }
-        std::cout << std::endl;
-    }
-
-  private:
-    bool csv_;
-};
-
-std::vector<std::string> titles() {
-    return {"pattern",    "mesh",      "shapes",    "faces",    "field s", "grow s", "paper s",
-            "angle mean", "angle max", "off surf.", "overlaps", "index",   "Euler",  "verdict"};
-}
-
 std::string faults_of(const PatternCase& one, const GrownCase& grown, double angle_mean) {
     std::string faults;
     const auto expect = [&](bool good, const char* what) { faults += good ? "" : std::string(" ") + what; };
@@ -141,8 +111,8 @@ void draw(const SurfaceBenchOptions& options, const std::string& name, const Mes
     std::ofstream(std::filesystem::path(options.pictures) / (name + ".png"), std::ios::binary) << picture_to_png(picture);
 }
 
-void row(GrowthLines& lines, const SurfaceBenchOptions& options, const PatternCase& one, const std::string& mesh,
-         const std::shared_ptr<const SurfaceMesh>& surface) {
+void row(GrowthLines& lines, const SurfaceBenchOptions& options, const RowPrinter& rows, const PatternCase& one,
+         const std::string& mesh, const std::shared_ptr<const SurfaceMesh>& surface) {
     const GrownCase result = grown(one, surface);
     const SurfaceMesh& ground = *result.world.surface;
     const MeshAssembly assembly = assembly_of(result.pattern, ground, {.with_surface = true});
@@ -152,20 +122,19 @@ void row(GrowthLines& lines, const SurfaceBenchOptions& options, const PatternCa
     const std::optional<double> index = index_sum(result.world);
     const std::string faults = faults_of(one, result, mean);
     lines.count(faults.empty());
-    RowPrinter(options.csv)
-        .print({one.file, mesh, std::to_string(result.pattern.placed.size() + result.pattern.lines.size()),
+    rows.print({one.file, mesh, std::to_string(result.pattern.placed.size() + result.pattern.lines.size()),
                 std::to_string(faces_out(assembly)), short_text(result.world_seconds), short_text(result.seconds),
                 one.paper ? short_text(one.paper->seconds) : "-", short_text(mean),
                 short_text(degrees(counts.angle_error_max)), short_text(result.measures.surface_distance_max),
                 std::to_string(result.measures.overlaps), index ? short_text(*index) : "-",
-                std::to_string(euler_characteristic(ground)), faults.empty() ? "pass" : "FAIL:" + faults});
+                std::to_string(euler_characteristic(ground)), verdict_of(faults)});
     draw(options, one.file + "_" + mesh, assembly);
 }
 
-void guarded_row(GrowthLines& lines, const SurfaceBenchOptions& options, const PatternCase& one, const std::string& mesh,
-                 const std::shared_ptr<const SurfaceMesh>& surface) {
+void guarded_row(GrowthLines& lines, const SurfaceBenchOptions& options, const RowPrinter& rows, const PatternCase& one,
+                 const std::string& mesh, const std::shared_ptr<const SurfaceMesh>& surface) {
     try {
-        row(lines, options, one, mesh, surface);
+        row(lines, options, rows, one, mesh, surface);
     } catch (const std::exception& error) {
         lines.failed(one.file + " on " + mesh + ": " + error.what());
     }
@@ -173,21 +142,18 @@ void guarded_row(GrowthLines& lines, const SurfaceBenchOptions& options, const P
 
 }  // namespace
 
-void pattern_rows(GrowthLines& lines, const SurfaceBenchOptions& options) {
-    const std::vector<MeshCase> meshes = mesh_cases(options);
+void pattern_rows(GrowthLines& lines, const SurfaceBenchOptions& options, const std::vector<MeshCase>& meshes) {
+    if (!options.wants("patterns")) return;
     if (!options.csv) std::cout << "\npatterns (angles in degrees; seconds of the processor)\n";
-    RowPrinter(options.csv).print(titles());
+    const RowPrinter rows(options.csv,
+                          {"pattern", "mesh", "shapes", "faces", "field s", "grow s", "paper s", "angle mean", "angle max",
+                           "off surf.", "overlaps", "index", "Euler", "verdict"},
+                          {9, 16, 8, 9, 8, 8, 8, 11, 11, 10, 9, 7, 6});
     for (const PatternCase& one : pattern_cases()) {
-        const auto wanted = [&](const std::string& mesh) {
-            return is_for(one, mesh) && options.wants("patterns " + one.file + " " + mesh);
-        };
-        if (wanted("plane")) guarded_row(lines, options, one, "plane", nullptr);
+        if (is_for(one, "plane")) guarded_row(lines, options, rows, one, "plane", nullptr);
         for (const MeshCase& mesh : meshes)
-            if (mesh.surface && wanted(mesh.name)) guarded_row(lines, options, one, mesh.name, mesh.surface);
+            if (mesh.surface && is_for(one, mesh.name)) guarded_row(lines, options, rows, one, mesh.name, mesh.surface);
     }
-    for (const MeshCase& mesh : meshes)
-        if (!mesh.surface && options.only.empty() && !options.csv)
-            std::cout << "refused: " << mesh.refusal.substr(0, mesh.refusal.find('\n')) << '\n';
 }
 
 }  // namespace rinceau::test

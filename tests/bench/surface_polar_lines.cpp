@@ -74,7 +74,7 @@ void cylinder_lines(GrowthLines& lines) {
         return Complex{radius * std::remainder(std::atan2(p.y, p.x) - std::atan2(from.y, from.x), two_pi), p.z - from.z};
     });
     lines.begin("polar map, cylinder of 20,000 faces, radius 2");
-    lines.at_most("distance, rms over radius", error.distance, 2e-4);
+    lines.at_most("distance, rms over radius", error.distance, 1e-4);
     lines.say("position, rms over radius", error.position);
     lines.say("milliseconds", 1e3 * error.seconds);
 }

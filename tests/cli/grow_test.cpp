@@ -88,9 +88,10 @@ TEST_CASE("params are set on the command line, and the plane's piece is as large
     CHECK((usual > 20 && usual < 100));
     CHECK(shapes({"grow", "discs.fgsg", "--set", "size=0.01"}) > usual);
     CHECK(shapes({"grow", "discs.fgsg", "--set", "size=diagonal"}) == 1);
+    CHECK(shapes({"grow", "discs.fgsg", "--set", "size=right-left + 0.2*(top-bottom)"}) == 1);
     CHECK(shapes({"grow", "discs.fgsg", "--size", "4,2"}) > usual);
     CHECK(holds(folder.refused({"grow", "discs.fgsg", "--set", "sice=2"}, 1), "'sice': did you mean 'size'?"));
-    CHECK(holds(folder.refused({"grow", "discs.fgsg", "--set", "size=2+"}, 1), "--set size:1:3: expected a number"));
+    CHECK(holds(folder.refused({"grow", "discs.fgsg", "--set", "size=2+"}, 1), "--set size: expected a number"));
     CHECK(holds(folder.refused({"grow", "discs.fgsg", "--set", "size"}, 2), "expected NAME=VALUE"));
 }
 

@@ -57,7 +57,7 @@ def bash_completes(program, known, folder):
     run('bash', '-n', str(script))
     place = folder / 'place'
     (place / 'folder').mkdir(parents=True)
-    for name in ('a.svg', 'b.lsys', 'c.json', 'd.png', 'e.txt'):
+    for name in ('a.svg', 'b.lsys', 'c.json', 'd.png', 'e.txt', 'f.fgsg', 'g.obj'):
         (place / name).touch()
 
     def offers(*words):
@@ -68,6 +68,13 @@ def bash_completes(program, known, folder):
     assert '--version' in offers('--')
     for verb, (options, _) in known.items():
         assert offers(verb, '-') == set(options), verb
+    assert offers('grow', '') == {'a.svg', 'b.lsys', 'c.json', 'f.fgsg', 'folder'}
+    assert offers('grow', 'f.fgsg', '--on', '') == {'g.obj', 'folder'}
+    assert offers('grow', 'f.fgsg', '--instancing', 'n') == {'nodes'}
+    assert offers('check', '') == {'b.lsys', 'f.fgsg', 'folder'}
+    assert offers('field', '') == {'g.obj', 'folder'}
+    assert offers('field', 'g.obj', '--elements', '') == {'c.json', 'folder'}
+    assert offers('field', 'g.obj', '--image', '') == {'d.png', 'folder'}
     assert offers('analyze', '') == {'a.svg', 'folder'}
     assert offers('analyze', '--tolerance', '0.1', '') == {'a.svg', 'folder'}
     assert offers('analyze', 'a.svg', '-o', '') == {'b.lsys', 'folder'}

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -143,6 +144,22 @@ ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramO
     if (options.output_to.empty()) run.out = read_file(streams.file("out"));
     run.err = read_file(streams.file("err"));
     return run;
+}
+
+std::vector<std::vector<std::string>> page_commands(const std::string& page) {
+    std::vector<std::vector<std::string>> commands;
+    std::istringstream text(read_file(std::filesystem::path(RINCEAU_SOURCE_DIR) / page));
+    bool in_block = false;
+    for (std::string line; std::getline(text, line);) {
+        if (line.starts_with("```")) in_block = line == "```sh";
+        if (!in_block || !line.starts_with("rinceau ")) continue;
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::vector<std::string> command;
+        for (std::string word; words >> word;) command.push_back(word);
+        command.erase(command.begin());
+        commands.push_back(command);
+    }
+    return commands;
 }
 
 std::string sample(const std::string& name) { return std::string(RINCEAU_SOURCE_DIR) + "/samples/" + name; }

@@ -53,6 +53,9 @@ struct ProgramOptions {
 /// takes longer than a minute is ended by SIGKILL.
 ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramOptions& options = {});
 
+/// The lines of a page of the project, in its blocks ```sh, that start the program: each as words without its name.
+std::vector<std::vector<std::string>> page_commands(const std::string& page);
+
 /// A file of the project's samples.
 std::string sample(const std::string& name);
 

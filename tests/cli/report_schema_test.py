@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says, those of
 arranging as docs/arrange_report.schema.json, of many drawings as docs/batch_report.schema.json, of packing as
-docs/pack_report.schema.json and of growing on surfaces as docs/grow_report.schema.json says."""
+docs/pack_report.schema.json, of growing on surfaces as docs/grow_report.schema.json and of fields as
+docs/field_report.schema.json says. So are fields and designs of fields as docs/field.schema.json and
+docs/field_design.schema.json say."""
 
 import json
 import pathlib
@@ -38,6 +40,7 @@ def main(program, source):
     faults += arrange_faults(program, source)
     faults += pack_faults(program, source)
     faults += grow_faults(program, source)
+    faults += field_faults(program, source)
     sys.exit("\n".join(faults) or 0)
 
 
@@ -79,6 +82,38 @@ def grow_faults(program, source):
                 faults.append("grow %s: shapes overlap, or nothing has grown" % words[0])
         faults += ["grow %s" % fault for fault in unable_to_refuse(schema, validator, report)]
     return faults
+
+
+def validator_of(source, name):
+    schema = json.loads((source / "docs" / name).read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return schema, jsonschema.Draft202012Validator(schema)
+
+
+def field_faults(program, source):
+    schema, validator = validator_of(source, "field_report.schema.json")
+    _, fields = validator_of(source, "field.schema.json")
+    _, designs = validator_of(source, "field_design.schema.json")
+    design = json.loads((source / "samples/surface/design.json").read_text(encoding="utf-8"))
+    faults = ["the design of samples: %s" % error.message for error in designs.iter_errors(design)]
+    wrong = [{**design, "n": 3}, [{"type": "wedge"}], [{"type": "wedge", "vertex": 0, "at": [0, 0, 0]}], []]
+    faults += ["the schema of designs lets %s be" % json.dumps(bad) for bad in wrong if designs.is_valid(bad)]
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        subprocess.run([program, "field", "samples/surface/torus.obj", "--curvature", "--smooth", "0.1", "--report",
+                        str(folder / "report.json"), "-o", str(folder / "field.json")], check=True, capture_output=True,
+                       cwd=source)
+        subprocess.run([program, "field", "samples/surface/torus.obj", "--field", str(folder / "field.json"), "--frame",
+                        "edge", "-o", str(folder / "edge.json")], check=True, capture_output=True, cwd=source)
+        report, field, edge = (json.loads((folder / name).read_text(encoding="utf-8"))
+                               for name in ("report.json", "field.json", "edge.json"))
+    faults += ["field: %s" % error.message for error in validator.iter_errors(report)]
+    faults += ["a saved field: %s" % error.message for one in (field, edge) for error in fields.iter_errors(one)]
+    faults += ["the schema of fields lets '%s' be left out" % key for key, one in (("vectors", field), ("z", edge))
+               if fields.is_valid({k: v for k, v in one.items() if k != key})]
+    if len(field["vectors"]) != report["vertices"]:
+        faults.append("field: not one vector for each vertex")
+    return faults + ["field %s" % fault for fault in unable_to_refuse(schema, validator, report)]
 
 
 def arrange_faults(program, source):

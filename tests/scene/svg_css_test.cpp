@@ -47,6 +47,12 @@ CssTree access() {
     tree.parent = [node](CssNode n) -> CssNode { return node(n)->parent; };
     tree.previous = [node](CssNode n) -> CssNode { return node(n)->previous; };
     tree.next = [node](CssNode n) -> CssNode { return node(n)->next; };
+    tree.empty = [node](CssNode n) { return node(n)->last_child == nullptr; };
+    tree.link = [node](CssNode n) { return node(n)->attributes.contains("href"); };
+    tree.language = [node](CssNode n) -> std::string_view {
+        const auto found = node(n)->attributes.find("lang");
+        return found == node(n)->attributes.end() ? std::string_view{} : std::string_view(found->second);
+    };
     return tree;
 }
 
@@ -80,7 +86,7 @@ TEST_CASE("each kind of selector matches what it names and nothing else") {
     Node* root = tree.add(nullptr, "svg");
     Node* group = tree.add(root, "g", {{"class", "k wide"}, {"id", "g1"}});
     Node* first = tree.add(group, "rect", {{"data-a", "one two"}, {"lang", "en-GB"}});
-    Node* second = tree.add(group, "circle", {{"class", "red"}, {"id", "7up"}});
+    Node* second = tree.add(group, "circle", {{"class", "red"}, {"id", "7up"}, {"href", "#g1"}});
     Node* third = tree.add(group, "rect");
     struct Case {
         const char* selector;
@@ -121,6 +127,21 @@ TEST_CASE("each kind of selector matches what it names and nothing else") {
         {"rect:hover", {}},
         {"svg|rect", {first, third}},
         {"g:only-child", {group}},
+        {"g > :nth-last-child(1)", {third}},
+        {"g > :nth-last-child(n+2)", {first, second}},
+        {"rect:first-of-type", {first}},
+        {"g > :last-of-type", {second, third}},
+        {"rect:nth-of-type(2)", {third}},
+        {"rect:nth-last-of-type(2)", {first}},
+        {"g > :only-of-type", {second}},
+        {":empty", {first, second, third}},
+        {"rect:not(:empty)", {}},
+        {":link", {second}},
+        {":not(:any-link)", {root, group, first, third}},
+        {":lang(EN)", {first}},
+        {":lang('en-gb')", {first}},
+        {":lang(e)", {}},
+        {":lang(fr, 'EN')", {first}},
         {"svg g rect", {first, third}},
     };
     for (const Case& c : cases) {

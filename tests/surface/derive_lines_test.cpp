@@ -76,7 +76,7 @@ TEST_CASE("every point of a line lies on the surface, and cracks end on older li
         REQUIRE(line.normals.size() == line.points.size());
         REQUIRE(line.widths.size() == line.points.size());
         for (std::size_t k = 0; k < line.points.size(); ++k)
-            CHECK(abs(position_in_space(*world.surface, line.at[k]) - line.points[k]) < 1e-3);
+            CHECK(abs(position_in_space(*world.surface, line.at[k]) - line.points[k]) < 1e-9);
         if (!line.merged) continue;
         ++merged;
         double nearest = std::numeric_limits<double>::infinity();

@@ -62,6 +62,15 @@ TEST_CASE("the parts of a Lock are tested against what is outside of it, not aga
     CHECK(count_of(pattern, "after") == 0);
 }
 
+TEST_CASE("a Lock stands clear of the Lock that it comes from") {
+    const auto row = [](const std::string& step) {
+        return grown(stone + "axiom nearest 2 5 0 A(0)\nA(n) : n < 3 ~ Lock{ IC(\"part\") } T(" + step + ",0,0) A(n+1)\n",
+                     plane_world());
+    };
+    CHECK(count_of(row("1.1"), "part") == 3);
+    CHECK(count_of(row("0.8"), "part") == 1);
+}
+
 TEST_CASE("plain instances in a Lock are tested too, and its symbols are derived at once") {
     const std::string text = one_obstacle("8.6 5 0") +
                              "axiom nearest 5 5 0 Lock{ Row(0) } I(\"after\")\n"

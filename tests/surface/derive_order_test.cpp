@@ -132,6 +132,15 @@ TEST_CASE("a derivation without end stops at its bounds and names the rule") {
               .limit.find("0.05 seconds") != std::string::npos);
 }
 
+TEST_CASE("rules that take long do not make a derivation late: it looks at the clock between any two of them") {
+    const SurfaceWorld world = bare_world(torus_triangles(24, 12, 2, 0.7));
+    ShapeDerivationOptions options;
+    options.max_seconds = 0.01;
+    const SurfacePattern round = grown("axiom vertex 0 Far\nFar ~ T(1e9,0,0) Far\n", world, options);
+    CHECK(round.limit.find("0.01 seconds") != std::string::npos);
+    CHECK(round.counts.rules_applied < 100);
+}
+
 TEST_CASE("progress may cancel, and shares rise to the end") {
     SurfaceWorld world = plane_world();
     world.shapes.push_back(test_shape("leaf"));

@@ -147,7 +147,7 @@ TEST_CASE("sources that make no sense are refused at their place") {
     const auto fails = [&](const std::string& kind, const Numbers& numbers, const std::string& part) {
         CHECK_THROWS_WITH(made(sphere, kind, numbers), Catch::StartsWith("g.fgsg:3:5") && Catch::Contains(part));
     };
-    fails("wavy", {}, "unknown kind of field \"wavy\"; expected one of elements, file");
+    fails("wavy", {}, "expected the kind of a field, found 'wavy': there is elements, file");
     fails("smoothest", {{"sigma", 2}}, "has no sigma");
     fails("smoothest", {{"n", 3}}, "expected 1, 2 or 4");
     fails("smoothest", {{"rounds", 1.5}}, "rounds is no whole number");

@@ -6,6 +6,7 @@
 
 #include "geometry/angle.h"
 #include "lsystem/grammar_text.h"
+#include "tests/surface/surface_directions.h"
 #include "tests/surface/surface_shapes.h"
 
 using namespace rinceau;
@@ -213,4 +214,48 @@ TEST_CASE("Walls stand on the surface and raise the element by the height") {
                                    "Tile: style 1; path \"M-1 -1L1 -1L1 1L-1 1Z\"\n"),
                      plane, nullptr, options);
     CHECK(area(grown.pattern.laid) == Approx(4 + 8 * 0.5).epsilon(1e-9));
+}
+
+TEST_CASE("A lattice along a field on a torus lies without gaps; its neighbours keep their distance") {
+    const SurfaceMesh torus = surface_mesh(torus_triangles(64, 32, 2, 0.8));
+    const Grammar lattice = parse_grammar(R"(lsystem 1
+canvas -1 -1 12 12
+axiom: Row(6)
+Row(m) : m > 0 -> [Tiles(6)] -(90) f(2) +(90) Row(m-1)
+Tiles(m) : m > 0 -> Tile f(2) Tiles(m-1)
+style 1: fill #a02040
+terminal Tile: style 1; path "M-0.95 -0.95L0.95 -0.95L0.95 0.95L-0.95 0.95Z"
+)");
+    GrowDrawingOptions options;
+    options.scale = 0.12;
+    options.start = nearest_vertex(torus, {2.8, 0, 0});
+    const FieldOnSurface field(torus, field_of_directions(torus, 4, [](SpacePoint p) {
+                                   const double r = std::hypot(p.x, p.y);
+                                   const SpacePoint ring{2 * p.x / r, 2 * p.y / r, 0};
+                                   return DirectionAndNormal{{-p.y / r, p.x / r, 0}, unit(p - ring)};
+                               }));
+    const GrownDrawing grown = grow_drawing(lattice, torus, &field, options);
+    CHECK(grown.laid == 36);
+    CHECK(grown.stopped + grown.dropped + grown.shrunk == 0);
+    CHECK(area(grown.pattern.laid) == Approx(36 * 1.9 * 1.9 * 0.0144).epsilon(0.2));
+}
+
+TEST_CASE("Leaves do not outlive the stem that they hang on") {
+    const std::string stem_and_leaves = R"(lsystem 1
+canvas -5 -60 10 60
+axiom: Stem [f(1) Leaf] [f(5) Leaf] Dot
+style 1: fill #20a040
+terminal Stem: style 1; path "M-0.5 0L0.5 0L0.5 -50L-0.5 -50Z"
+terminal Leaf: style 1; path "M0.4 0C1 -1 3 -2 3 0C3 2 1 1 0.4 0Z"
+terminal Dot: style 1; path "M-9 0L-8 0L-8 -1L-9 -1Z"
+)";
+    const SurfaceMesh plane = surface_mesh(plane_triangles(20, 20, 1, 0.2));
+    GrowDrawingOptions options;
+    options.scale = 0.1;
+    options.start = nearest_vertex(plane, {10, 10, 0});
+    CHECK(grow_drawing(parse_grammar(stem_and_leaves), plane, nullptr, options).laid == 4);
+    options.scale = 0.5;  // the stem reaches over the border, the leaves and the dot do not
+    const GrownDrawing cut = grow_drawing(parse_grammar(stem_and_leaves), plane, nullptr, options);
+    CHECK(cut.laid == 1);
+    CHECK(cut.stopped + cut.dropped == 3);
 }

@@ -107,6 +107,38 @@ TEST_CASE("Relaxing shares the stretch of a polar chart out, keeps its middle, a
     CHECK(worst_within(flat, 4) - 1 < 1e-7);
 }
 
+TEST_CASE("A chart bent along a field shows the field straight, without a fold") {
+    const SurfaceMesh plane = surface_mesh(plane_triangles(30, 30, 0.1, 0.3));
+    SurfaceField turning;
+    turning.n = 2;
+    turning.exact = PlaneForm{true, {-2, 1.5}, pi / 2};  // circles about a place outside
+    const FieldOnSurface field(plane, turning);
+    PatchMaker patches(plane);
+    const SurfacePoint middle = middle_of_face(plane, 915);
+    const std::vector<ChartTriangle> flat = patches.patch(middle, {1, 0}, 0.8);
+    /// Root mean square of the angle between the field in the chart and what it is at the middle.
+    const auto off = [&](const std::vector<ChartTriangle>& chart) {
+        double first = 0, sum = 0;
+        for (const bool measures : {false, true})
+            for (const ChartTriangle& triangle : chart) {
+                if ((triangle.face == middle.face) == measures) continue;
+                const SurfacePoint p = middle_of_face(plane, triangle.face);
+                const auto& corners = plane.flat[static_cast<std::size_t>(triangle.face)];
+                const Complex turn = (triangle.at[1] - triangle.at[0]) * conj(corners[1] - corners[0]) +
+                                     (triangle.at[2] - triangle.at[1]) * conj(corners[2] - corners[1]);
+                const double angle = arg(field.at(p)) + 2 * arg(turn);
+                if (!measures) first = angle;
+                sum += measures ? std::pow(wrap_angle(angle - first), 2) : 0;
+            }
+        return std::sqrt(sum / static_cast<double>(chart.size()));
+    };
+    const std::vector<ChartTriangle> bent = bent_chart(field, 1, flat);
+    CHECK(off(flat) > 0.2);
+    CHECK(off(bent) < 0.5 * off(flat));
+    CHECK(worst_within(drawing_chart(plane, bent), 0.7) < 2);
+    CHECK(worst_within(drawing_chart(plane, bent_chart(field, 0, flat)), 0.7) - 1 < 1e-6);
+}
+
 TEST_CASE("Each shape is painted above those that it covers, and only those") {
     CHECK(paint_ranks({0, 1, 2, 3}, {{}, {0, 2}, {1}, {}}) == std::vector<int>{0, 1, 2, 0});
     // painted in another order than derived

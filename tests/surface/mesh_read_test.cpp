@@ -131,6 +131,17 @@ TEST_CASE("A mesh keeps the vertex numbers of its OBJ, those that no face uses, 
     CHECK(mesh.triangles == std::vector<std::array<int, 3>>{{4, 1, 2}});
 }
 
+TEST_CASE("An OBJ's lines end at carriage returns too, and no corner leads out of its vertices") {
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    CHECK(read_mesh("a.obj", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r").triangles.size() == 1);
+    CHECK(read_mesh("a.obj", vertices + "f 1 2 3 # 99\n# f 1 2 99\nf 1 2 4\r\n").triangles.size() == 2);
+    for (const char* const face : {"#\rf 1 2 90000000", "f 1 2 3\rf 1 2 90000000", "f 1 2 90000000", "f 1 2 -5",
+                                   "f 1 2 -9223372036854775808", "f 1 2 4294967297"}) {
+        INFO(face);
+        CHECK_THROWS_AS(read_mesh("a.obj", vertices + face + "\n"), InputError);
+    }
+}
+
 TEST_CASE("Polygons are split into triangles that fill them, convex or not") {
     Random random(5);
     for (int trial = 0; trial < 60; ++trial) {

@@ -155,7 +155,7 @@ TEST_CASE("what is wrong with a source is said with its place, and what is possi
     CHECK(message_of("box", "x.obj") == "g.fgsg:3:7: the shape 'it': expected settings behind box, found \"x.obj\"");
     CHECK(message_of("outline", "empty.svg") ==
           "empty.svg: expected paths that are filled or drawn, found none: text and pictures make no shape");
-    CHECK(message_of("outline", "gone.svg") == "gone.svg: expected the name of a file that is there");
+    CHECK(message_of("outline", "gone.svg") == "g.fgsg:3:7: gone.svg: expected the name of a file that is there");
 }
 
 }  // namespace rinceau

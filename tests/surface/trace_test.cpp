@@ -165,7 +165,7 @@ TEST_CASE("a straight walk on the sphere follows a great circle") {
         const SpacePoint exact = std::cos(1.0) * start + std::sin(1.0) * along;
         sum += std::pow(abs(unit(position_in_space(surface, walk.end)) - exact), 2);
     }
-    CHECK(std::sqrt(sum / walks) < 2e-3);  // every vertex is a cone: GROWTH-3D section 4 has 1e-3
+    CHECK(std::sqrt(sum / walks) < 2e-3);  // every vertex is a cone
 }
 
 TEST_CASE("a walk keeps its length and its angle to any field, and ends in its face") {
