@@ -4,8 +4,9 @@
 
 #include <chrono>
 
+#include "cli/analysis_check.h"
+#include "cli/batch.h"
 #include "cli/exit_status.h"
-#include "files/files.h"
 #include "cli/messages.h"
 #include "cli/number_range.h"
 #include "cli/progress_bar.h"
@@ -14,6 +15,7 @@
 #include "cli/spaces_output.h"
 #include "cli/verbs.h"
 #include "cli/weights_option.h"
+#include "files/files.h"
 #include "lsystem/grammar_text.h"
 #include "scene/svg_read.h"
 
@@ -21,35 +23,37 @@ namespace rinceau {
 namespace {
 
 struct AnalyzeVerbOptions {
-    std::string input;
+    std::vector<std::string> inputs;
     std::string output;
-    std::string report;
+    std::vector<std::string> reports;
     std::string spaces;
     bool print = false;
     AnalyzeOptions analyze;
+    BatchOptions batch;
 };
+
+const std::string& input_of(const AnalyzeVerbOptions& options) { return options.inputs.front(); }
+
+std::string report_of(const AnalyzeVerbOptions& options) { return options.reports.empty() ? "" : options.reports.front(); }
 
 void expect_outputs(const AnalyzeVerbOptions& options) {
     if (format_of(options.output, FileFormat::lsys) != FileFormat::lsys)
         throw CLI::ValidationError("-o", "expected a name that ends in .lsys, found '" + options.output + "'");
-    if (format_of(options.report, FileFormat::json) != FileFormat::json)
-        throw CLI::ValidationError("--report", "expected a name that ends in .json, found '" + options.report + "'");
+    if (options.reports.size() > 1) throw CLI::ValidationError("--report", "expected one name for one drawing");
+    const std::string report = report_of(options);
+    if (format_of(report, FileFormat::json) != FileFormat::json)
+        throw CLI::ValidationError("--report", "expected a name that ends in .json, found '" + report + "'");
     if (options.print && options.output == "-")
         throw CLI::ValidationError("--print", "writes to standard output, and so does '-o -'");
     const FileFormat spaces = format_of(options.spaces, FileFormat::csv);
     if (spaces != FileFormat::csv && spaces != FileFormat::svg)
         throw CLI::ValidationError("--spaces", "expected a name that ends in .csv or .svg, found '" + options.spaces + "'");
-    for (const std::string& name : {options.output, options.report, options.spaces}) expect_writable(name);
+    for (const std::string& name : {options.output, report, options.spaces}) expect_writable(name);
 }
 
 Analysis analyze_scene(const Scene& scene, const AnalyzeVerbOptions& options) {
     ProgressBar bar;
     return analyze(scene, options.analyze, bar.callback());
-}
-
-void expect_passed(const Verification& check, const std::string& label) {
-    if (check.passed) return;
-    throw InputError({label}, "the grammar that was found does not draw the drawing, and is not written: " + check.summary);
 }
 
 void write_spaces(const Scene& scene, const AnalyzeVerbOptions& options) {
@@ -59,7 +63,8 @@ void write_spaces(const Scene& scene, const AnalyzeVerbOptions& options) {
 }
 
 void write_results(const Analysis& analysis, const ReportContext& context, const AnalyzeVerbOptions& options) {
-    if (!options.report.empty()) write_output(options.report, report_json(analysis.report, context));
+    if (const std::string report = report_of(options); !report.empty())
+        write_output(report, report_json(analysis.report, context));
     if (!options.output.empty()) write_output(options.output, to_text(analysis.grammar));
     if (options.output.empty() || options.print)
         write_output("", rules_text(analysis));
@@ -67,7 +72,7 @@ void write_results(const Analysis& analysis, const ReportContext& context, const
         say(summary_line(analysis.report));
 }
 
-int run_analyze(const AnalyzeVerbOptions& options) {
+int analyze_one(const AnalyzeVerbOptions& options) {
     using Clock = std::chrono::steady_clock;
     const auto seconds_since = [](Clock::time_point start) {
         return std::chrono::duration<double>(Clock::now() - start).count();
@@ -75,10 +80,10 @@ int run_analyze(const AnalyzeVerbOptions& options) {
     expect_outputs(options);
 
     const auto start = Clock::now();
-    const std::string label = input_label(options.input);
-    expect_no_shape_grammar(options.input);
-    const SvgReadResult drawing = read_svg(read_input(options.input), {.file_name = label});
-    ReportContext context{.input = options.input, .warnings = drawing.warnings, .import_seconds = seconds_since(start)};
+    const std::string label = input_label(input_of(options));
+    expect_no_shape_grammar(input_of(options));
+    const SvgReadResult drawing = read_svg(read_input(input_of(options)), {.file_name = label});
+    ReportContext context{.input = input_of(options), .warnings = drawing.warnings, .import_seconds = seconds_since(start)};
     say_warnings(drawing.warnings);
 
     const Analysis analysis = analyze_scene(drawing.scene, options);
@@ -89,6 +94,13 @@ int run_analyze(const AnalyzeVerbOptions& options) {
     write_spaces(drawing.scene, options);
     write_results(analysis, context, options);
     return exit_status::done;
+}
+
+int run_analyze(const AnalyzeVerbOptions& options) {
+    if (!is_batch(options.inputs, options.output, options.batch)) return analyze_one(options);
+    if (options.print) throw CLI::ValidationError("--print", "is for one drawing");
+    if (!options.spaces.empty()) throw CLI::ValidationError("--spaces", "is for one drawing");
+    return run_batch(options.inputs, options.output, options.reports, options.analyze, options.batch);
 }
 
 void add_recognition_options(CLI::App& verb, AnalyzeVerbOptions& options) {
@@ -136,16 +148,25 @@ void add_analyze(CLI::App& program, Job& job) {
     const auto [verb, options] =
         add_verb<AnalyzeVerbOptions>(program, job, "analyze", "Find the rules behind a drawing",
                                      "rinceau analyze samples/facade.svg -o facade.lsys --report facade.json", run_analyze);
-    verb->add_option("ART", options->input, "The drawing (.svg, .svgz, or - for standard input)")->required();
-    verb->add_option("-o,--output", options->output, "Where to write the grammar (.lsys); without it, the rules are printed")
+    verb->add_option("ART", options->inputs,
+                     "The drawing (.svg, .svgz, or - for standard input); or many drawings, and folders that hold them")
+        ->required();
+    verb->add_option("-o,--output", options->output,
+                     "Where to write the grammar (.lsys); without it, the rules are printed; of many drawings: the folder")
         ->type_name("FILE");
     verb->add_flag("--print", options->print, "Print the rules for a person to read also when -o is given");
-    verb->add_option("--report", options->report, "Where to write what was found (.json, as docs/report.schema.json says)")
+    verb->add_option(
+            "--report", options->reports,
+            "Where to write what was found (.json, as docs/report.schema.json says); of many drawings: a table (.csv, "
+            ".json, as docs/batch_report.schema.json says) or a contact sheet in the folder (.html), or several of these")
+        ->allow_extra_args(false)
+        ->take_all()
         ->type_name("FILE");
     verb->add_option("--spaces", options->spaces,
                      "Where to write the transformation spaces: .csv a table, .svg scatter plots")
         ->type_name("FILE");
     add_recognition_options(*verb, *options);
+    add_batch_options(*verb, options->batch);
 }
 
 }  // namespace rinceau

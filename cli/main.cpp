@@ -37,7 +37,7 @@ void describe(CLI::App& program) {
     program.set_version_flag("--version", "rinceau " RINCEAU_VERSION);
     program.footer(
         "Exit status: 0 done, 1 the input is at fault, 2 the command line is at fault, 3 a limit was reached,\n"
-        "             4 an output could not be written.\n"
+        "             4 an output could not be written, 5 some of many drawings failed.\n"
         "Example:\n"
         "  rinceau analyze samples/facade.svg\n"
         "'rinceau VERB --help' tells about a verb.");

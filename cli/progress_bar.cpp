@@ -16,8 +16,11 @@ constexpr const char* wipe_line = "\r\033[K";
 
 ProgressBar::ProgressBar() : on_terminal_(::isatty(STDERR_FILENO) != 0), next_(Clock::now() + first_after) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { wipe(); }
+
+void ProgressBar::wipe() {
     if (shown_) std::fputs(wipe_line, stderr);
+    shown_ = false;
 }
 
 Progress ProgressBar::callback() {

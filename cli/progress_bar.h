@@ -20,6 +20,9 @@ class ProgressBar {
     /// For the functions that report progress; the bar must outlive it.
     Progress callback();
 
+    /// Takes the line away, for another to stand there; the bar comes back when there is progress.
+    void wipe();
+
   private:
     void show(std::string_view stage, double fraction);
 

@@ -73,9 +73,10 @@ std::string read_input(const std::string& name) {
 
 void expect_no_shape_grammar(const std::string& name) {
     if (std::filesystem::path(name).extension() != ".fgsg") return;
-    throw InputError({input_label(name)},
-                     "expected a drawing or an L-system, found a shape grammar by its ending: 'rinceau grow' grows and draws "
-                     "it, 'rinceau check' checks it");
+    throw InputError(
+        {input_label(name)},
+        "expected a drawing or an L-system, found a shape grammar by its ending: 'rinceau grow' grows and draws "
+        "it, 'rinceau check' checks it");
 }
 
 bool looks_like_drawing(std::string_view bytes) {
@@ -97,8 +98,10 @@ Grammar read_grammar(const std::string& name, const std::string& bytes) {
     return resolve_uses(parse_as_written(name, bytes), read_grammar_text);
 }
 
-void write_output(const std::string& name, std::string_view bytes) {
-    OutputFile file(name);
+void write_output(const std::string& name, std::string_view bytes) { write_output(name, bytes, {}); }
+
+void write_output(const std::string& name, std::string_view bytes, const std::string& work_folder) {
+    OutputFile file(name, work_folder);
     file.write(bytes);
     file.finish();
 }
@@ -115,15 +118,16 @@ FileFormat format_of(const std::string& name, FileFormat standard_output) {
     if (is_standard_stream(name)) return standard_output;
     std::string ending = std::filesystem::path(name).extension().string();
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    constexpr std::array<std::pair<std::string_view, FileFormat>, 9> endings{{{".svg", FileFormat::svg},
-                                                                              {".png", FileFormat::png},
-                                                                              {".pdf", FileFormat::pdf},
-                                                                              {".lsys", FileFormat::lsys},
-                                                                              {".json", FileFormat::json},
-                                                                              {".csv", FileFormat::csv},
-                                                                              {".obj", FileFormat::obj},
-                                                                              {".glb", FileFormat::glb},
-                                                                              {".ply", FileFormat::ply}}};
+    constexpr std::array<std::pair<std::string_view, FileFormat>, 10> endings{{{".svg", FileFormat::svg},
+                                                                               {".png", FileFormat::png},
+                                                                               {".pdf", FileFormat::pdf},
+                                                                               {".lsys", FileFormat::lsys},
+                                                                               {".json", FileFormat::json},
+                                                                               {".csv", FileFormat::csv},
+                                                                               {".html", FileFormat::html},
+                                                                               {".obj", FileFormat::obj},
+                                                                               {".glb", FileFormat::glb},
+                                                                               {".ply", FileFormat::ply}}};
     for (const auto& [text, format] : endings)
         if (ending == text) return format;
     return FileFormat::unknown;

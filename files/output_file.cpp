@@ -67,10 +67,11 @@ void OutputFile::open() {
     create_beside();
 }
 
-// A name in the folder of the target that no other file has, created empty and open.
+// A name that no other file has, in the folder of the target or that for work, created empty and open.
 void OutputFile::create_beside() {
     constexpr int attempts = 100;
-    const auto folder = std::filesystem::path(target_).parent_path();
+    const auto folder =
+        work_folder_.empty() ? std::filesystem::path(target_).parent_path() : std::filesystem::path(work_folder_);
     for (int i = 0; i < attempts; ++i) {
         const auto file = ".rinceau-" + std::to_string(::getpid()) + "-" + std::to_string(i);
         const std::string name = (folder / file).string();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "files/signals_held.h"
 
@@ -19,6 +20,9 @@ namespace rinceau {
 class OutputFile {
   public:
     explicit OutputFile(std::string name) : name_(std::move(name)) {}
+    /// Written in `work_folder`, which is on the same disk, instead of beside its name: what even SIGKILL leaves over is
+    /// there.
+    OutputFile(std::string name, std::string work_folder) : name_(std::move(name)), work_folder_(std::move(work_folder)) {}
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     /// An output that is not finished is given up.
@@ -29,6 +33,7 @@ class OutputFile {
 
   private:
     std::string name_;
+    std::string work_folder_;     ///< empty = the folder of the target
     std::string target_;          ///< links followed; empty = standard output
     std::string beside_;          ///< the file that will be renamed; empty = none
     std::optional<mode_t> mode_;  ///< of the file that is replaced

@@ -65,15 +65,20 @@ sigset_t interrupt_alone() {
     ::_exit(not_started);
 }
 
-int wait_for(pid_t child, int interrupt_after_ms, rusage& usage) {
+int wait_for(pid_t child, const ProgramOptions& options, rusage& usage) {
     constexpr std::chrono::milliseconds pause{2};
-    bool interrupted = interrupt_after_ms == 0;
+    bool interrupted = options.interrupt_after_ms == 0;
+    bool signalled = !options.signal_when;
     int status = 0;
     const auto start = Clock::now();
     while (::wait4(child, &status, WNOHANG, &usage) == 0) {
-        if (!interrupted && Clock::now() - start > std::chrono::milliseconds(interrupt_after_ms)) {
+        if (!interrupted && Clock::now() - start > std::chrono::milliseconds(options.interrupt_after_ms)) {
             ::kill(child, SIGINT);
             interrupted = true;
+        }
+        if (!signalled && options.signal_when()) {
+            ::kill(child, options.signal);
+            signalled = true;
         }
         if (Clock::now() - start > longest_run) ::kill(child, SIGKILL);
         std::this_thread::sleep_for(pause);
@@ -130,7 +135,7 @@ ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramO
     if (child == 0) become_rinceau(arguments, options, streams);
     ::sigprocmask(SIG_SETMASK, &before, nullptr);
     rusage usage{};
-    const int status = wait_for(child, options.interrupt_after_ms, usage);
+    const int status = wait_for(child, options, usage);
     ProgramRun run;
     run.seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     run.peak_kib = usage.ru_maxrss;

@@ -1,7 +1,9 @@
 #pragma once
 // The program as a user starts it, and a folder to start it in.
 
+#include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +45,8 @@ struct ProgramOptions {
     std::filesystem::path folder = RINCEAU_SOURCE_DIR;  ///< working folder
     std::string output_to;                              ///< standard output goes to this file instead
     int interrupt_after_ms = 0;                         ///< SIGINT after so long; 0 = never
+    std::function<bool()> signal_when;                  ///< `signal` as soon as this holds, and once
+    int signal = SIGKILL;
 };
 
 /// Runs rinceau with these arguments, in at most a gigabyte of address space (more under sanitizers, which need it). What

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """report_schema_test.py PROGRAM SOURCE_FOLDER: the reports of all samples are as docs/report.schema.json says, those of
-arranging as docs/arrange_report.schema.json, of packing as docs/pack_report.schema.json, of growing on surfaces as
-docs/grow_report.schema.json and of fields as docs/field_report.schema.json says. So are fields and designs of fields as
-docs/field.schema.json and docs/field_design.schema.json say."""
+arranging as docs/arrange_report.schema.json, of many drawings as docs/batch_report.schema.json, of packing as
+docs/pack_report.schema.json, of growing on surfaces as docs/grow_report.schema.json and of fields as
+docs/field_report.schema.json says. So are fields and designs of fields as docs/field.schema.json and
+docs/field_design.schema.json say."""
 
 import json
 import pathlib
@@ -35,6 +36,7 @@ def main(program, source):
             if sum(t["instances"] for t in report["terminals"]) != report["elements"]:
                 faults.append("%s: the terminals' instances are not the elements" % drawing.name)
     faults += unable_to_refuse(schema, validator, report)
+    faults += batch_faults(program, source)
     faults += arrange_faults(program, source)
     faults += pack_faults(program, source)
     faults += grow_faults(program, source)
@@ -45,6 +47,22 @@ def main(program, source):
 def unable_to_refuse(schema, validator, report):
     return ["the schema lets '%s' be left out" % key for key in schema["required"]
             if validator.is_valid({k: v for k, v in report.items() if k != key})]
+
+
+def batch_faults(program, source):
+    schema = json.loads((source / "docs" / "batch_report.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    with tempfile.TemporaryDirectory() as folder:
+        name = pathlib.Path(folder) / "report.json"
+        samples = [str(source / "samples" / each) for each in ("rosette.svg", "tiles.svg", "missing.svg")]
+        run = subprocess.run([program, "analyze", *samples, "-o", str(pathlib.Path(folder) / "out"), "--report", str(name)],
+                             capture_output=True)
+        report = json.loads(name.read_text(encoding="utf-8"))
+    faults = ["batch: %s" % error.message for error in validator.iter_errors(report)]
+    if (run.returncode, report["drawings"], report["done"], len(report["rows"])) != (5, 3, 2, 3):
+        faults.append("batch: two samples are not done, or a missing one is")
+    return faults + ["batch %s" % fault for fault in unable_to_refuse(schema, validator, report)]
 
 
 def grow_faults(program, source):
