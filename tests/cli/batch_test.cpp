@@ -251,7 +251,7 @@ TEST_CASE("What has changed since is done again: the drawing, the options, an ou
     // What other options have written in the meantime does not count as done.
     CHECK(art.run(words).status == 0);
     CHECK(art.read("out/row 11.lsys") == by_bits);
-    // Pictures are asked for now.
+    // This run asks for pictures, too.
     Words with_sheet = words;
     for (const std::string word : {"--report", "out/sheet.html"}) with_sheet.push_back(word);
     CHECK(!contains(art.run(with_sheet).err, "whole already"));
