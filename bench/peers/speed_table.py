@@ -3,7 +3,7 @@
 
     npm install --prefix build/peers lindenmayer
     apt-get install contextfree
-    tests/bench/speed_table.py build
+    bench/peers/speed_table.py build
 
 Modules are counted in the string of F + - [ ] that the drawing has as an L-system, for every program. Seconds are the
 processor's, the least of several runs; memory is the largest resident set of the process.
@@ -20,7 +20,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent / "speed"
+HERE = Path(__file__).resolve().parent
 DRAWINGS = {"koch": "Koch's snowflake, depth 10", "tree": "a branching weed, depth 9"}
 SAME_SUM = 1e-9  # relative: sums of millions of rounded coordinates
 
@@ -35,7 +35,7 @@ def json_of(command):
 
 
 def ours(build, mode, drawing):
-    return json_of([build / "tests/bench/interpreter_bench", mode, HERE / f"{drawing}.lsys"])
+    return json_of([build / "bench/studies/interpreter_bench", mode, HERE / f"{drawing}.lsys"])
 
 
 def lindenmayer(package, drawing):
