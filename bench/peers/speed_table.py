@@ -102,18 +102,18 @@ def modules_of(name):
     return int(re.search(r"([\d,]+) modules", (HERE / f"{name}.lsys").read_text()).group(1).replace(",", ""))
 
 
-def print_table(name, title, rows):
+def text_of(name, title, rows):
     modules = modules_of(name)
     for program, result, _ in rows:
         if result.get("modules", modules) != modules:
             sys.exit(f"{program} derives {result['modules']} modules, expected {modules}")
     least = rows[0][2]
-    print(f"\n{title}: {modules:,} modules, {rows[0][1]['lines']:,} lines\n")
-    print("| program | seconds | million modules a second | times ours | peak MiB |")
-    print("|---|--:|--:|--:|--:|")
+    lines = [f"{title}: {modules:,} modules, {rows[0][1]['lines']:,} lines", "",
+             "| program | seconds | million modules a second | times ours | peak MiB |", "|---|--:|--:|--:|--:|"]
     for program, result, seconds in rows:
-        print(f"| {program} | {seconds:.2f} | {modules / seconds / 1e6:.1f} | {seconds / least:.1f} "
-              f"| {result['peak_kib'] / 1024:.0f} |")
+        lines.append(f"| {program} | {seconds:.2f} | {modules / seconds / 1e6:.1f} | {seconds / least:.1f} "
+                     f"| {result['peak_kib'] / 1024:.0f} |")
+    return "\n".join(lines)
 
 
 def main():
@@ -131,7 +131,7 @@ def main():
         for name, title in DRAWINGS.items():
             rows = measured(name, build, package, Path(folder), options.runs)
             expect_the_same(rows)
-            print_table(name, title, rows)
+            print("\n" + text_of(name, title, rows))
 
 
 if __name__ == "__main__":
