@@ -5,16 +5,21 @@ set -euo pipefail
 # ./test.sh package: makes the packages for Debian and tests those, instead.
 [ "${1-}" != package ] || exec "$(dirname -- "${BASH_SOURCE[0]}")/tests/package/package.sh"
 
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+cd "$root"
 preset=dev
 case ${1-} in
     '') ;;
     --sanitize) preset=sanitize ;;
-    -h | --help) printf 'Usage: ./test.sh [--sanitize]\n  --sanitize  under the address and undefined-behaviour sanitizers\n'; exit 0 ;;
-    *) printf 'Usage: ./test.sh [--sanitize]\n' >&2; exit 2 ;;
+    fuzz) exec scripts/fuzz.sh "${@:2}" ;;
+    -h | --help)
+        printf 'Usage: ./test.sh [--sanitize | fuzz [SECONDS]]\n'
+        printf '  --sanitize      under the address and undefined-behaviour sanitizers\n'
+        printf '  fuzz [SECONDS]  looks for inputs that break the readers, 300 seconds unless told otherwise\n'
+        exit 0 ;;
+    *) printf 'Usage: ./test.sh [--sanitize | fuzz [SECONDS]]\n' >&2; exit 2 ;;
 esac
 
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-cd "$root"
 . scripts/packages.sh
 install_packages "${build_packages[@]}" "${test_packages[@]}"
 

@@ -25,13 +25,13 @@ std::string any_file(const std::string& name) {
 }  // namespace
 
 void take_input(std::string_view bytes) {
-    static const auto torus = std::make_shared<const SurfaceMesh>(surface_mesh(torus_triangles(24, 12, 2, 0.7)));
+    static const auto torus = std::make_shared<const SurfaceMesh>(surface_mesh(torus_triangles(12, 8, 2, 0.7)));
     inspect_shape_grammar(bytes, "any.fgsg");
     const ShapeGrammar grammar = parse_shape_grammar(bytes, "any.fgsg");
     const SurfaceWorld world = make_world(grammar, torus, any_file);
     ShapeDerivationOptions options = options_of(grammar);
-    options.max_shapes = std::min(options.max_shapes, 200L);
-    options.max_rules = std::min(options.max_rules, 2000L);
+    options.max_shapes = std::min(options.max_shapes, 100L);
+    options.max_rules = std::min(options.max_rules, 1000L);
     options.max_seconds = 1;
     const SurfacePattern pattern = derive_shapes(grammar, world, options);
     assembly_of(pattern, *torus);

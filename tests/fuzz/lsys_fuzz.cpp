@@ -7,7 +7,7 @@
 #include "tests/surface/surface_shapes.h"
 
 void rinceau::take_input(std::string_view bytes) {
-    static const SurfaceMesh torus = surface_mesh(torus_triangles(24, 12, 2, 0.7));
+    static const SurfaceMesh torus = surface_mesh(torus_triangles(12, 8, 2, 0.7));
     check_grammar(bytes, "any.lsys");
     const Grammar grammar = parse_grammar(bytes, "any.lsys");
     InterpretOptions options;
