@@ -2,22 +2,25 @@
 # Installs what the tests need, builds everything with warnings as errors, runs every test.
 # The last line reads "N passed, M failed"; the exit status is 0 only if M = 0.
 set -euo pipefail
-# ./test.sh package: makes the packages for Debian and tests those, instead.
-[ "${1-}" != package ] || exec "$(dirname -- "${BASH_SOURCE[0]}")/tests/package/package.sh"
-
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 cd "$root"
+usage() {
+    cat <<'END'
+Usage: ./test.sh [MODE]
+  --sanitize      all tests under the address and undefined-behaviour sanitizers
+  fuzz [SECONDS]  looks for inputs that break the readers, instead; 300 seconds unless told otherwise
+  package         makes the packages for Debian and tests those, instead
+END
+}
+
 preset=dev
 case ${1-} in
     '') ;;
     --sanitize) preset=sanitize ;;
     fuzz) exec scripts/fuzz.sh "${@:2}" ;;
-    -h | --help)
-        printf 'Usage: ./test.sh [--sanitize | fuzz [SECONDS]]\n'
-        printf '  --sanitize      under the address and undefined-behaviour sanitizers\n'
-        printf '  fuzz [SECONDS]  looks for inputs that break the readers, 300 seconds unless told otherwise\n'
-        exit 0 ;;
-    *) printf 'Usage: ./test.sh [--sanitize | fuzz [SECONDS]]\n' >&2; exit 2 ;;
+    package) exec tests/package/package.sh ;;
+    -h | --help) usage; exit 0 ;;
+    *) usage >&2; exit 2 ;;
 esac
 
 . scripts/packages.sh
