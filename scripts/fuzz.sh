@@ -35,7 +35,7 @@ take_files() {
 # The values of attributes in the samples, one a file: path data, transforms, paints.
 take_attributes() {
     local value n=0
-    grep -rhoE ' (d|transform|fill)="[^"]{1,400}"' samples tests/svg --include='*.svg' | sort -u | awk 'NR % 7 == 1' |
+    grep -rhoE ' (d|transform|fill)="[^"]{1,400}"' samples tests/svg --include='*.svg' | sort -u | awk 'NR % 16 == 1' |
         sed -E 's/^[^"]*"//; s/"$//' | while IFS= read -r value; do
             n=$((n + 1))
             printf '%s' "$value" >"$corpus/attribute$n"
