@@ -2,20 +2,32 @@
 # Installs what the tests need, builds everything with warnings as errors, runs every test.
 # The last line reads "N passed, M failed"; the exit status is 0 only if M = 0.
 set -euo pipefail
-# ./test.sh package: makes the packages for Debian and tests those, instead.
-[ "${1-}" != package ] || exec "$(dirname -- "${BASH_SOURCE[0]}")/tests/package/package.sh"
+usage='Usage: ./test.sh [--sanitize | --thread | coverage [FILE.html] | tidy [PATTERN] | package]'
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+cd "$root"
+. scripts/packages.sh
 
 preset=dev
 case ${1-} in
     '') ;;
     --sanitize) preset=sanitize ;;
-    -h | --help) printf 'Usage: ./test.sh [--sanitize]\n  --sanitize  under the address and undefined-behaviour sanitizers\n'; exit 0 ;;
-    *) printf 'Usage: ./test.sh [--sanitize]\n' >&2; exit 2 ;;
+    --thread) preset=thread ;;
+    coverage) exec scripts/coverage.sh "${@:2}" ;;
+    tidy) exec scripts/tidy.sh "${@:2}" ;;
+    package) exec tests/package/package.sh ;;
+    -h | --help)
+        cat <<END
+$usage
+  --sanitize  by clang, under the address and undefined-behaviour sanitizers
+  --thread    by clang, under the thread sanitizer
+  coverage    which share of the core's lines the tests run; FILE.html shows the lines
+  tidy        reads the sources, or those whose path matches, with clang-tidy
+  package     makes the packages for Debian and tests those
+END
+        exit 0 ;;
+    *) say "$usage"; exit 2 ;;
 esac
-
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-cd "$root"
-. scripts/packages.sh
+[ "$preset" = dev ] || test_packages+=("${sanitize_packages[@]}")
 install_packages "${build_packages[@]}" "${test_packages[@]}"
 
 cmake --preset "$preset"

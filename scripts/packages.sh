@@ -14,6 +14,11 @@ test_packages=(catch2 libbullet-dev librsvg2-bin python3 python3-numpy python3-p
 command -v node >/dev/null || test_packages+=(nodejs)
 command -v npm >/dev/null || test_packages+=(npm)
 
+# On top of those of the tests: for the sanitizers, for the lines that run, for clang-tidy.
+sanitize_packages=(clang)
+coverage_packages=(gcovr)
+tidy_packages=(clang clang-tidy git)
+
 # To make packages for Debian and to test them, on top of what a build needs.
 package_packages=(dpkg-dev fakeroot file lintian desktop-file-utils shared-mime-info appstream python3)
 
