@@ -4,12 +4,16 @@
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 cd "$root"
+. scripts/packages.sh
 usage() {
     cat <<'END'
 Usage: ./test.sh [MODE]
-  --sanitize      all tests under the address and undefined-behaviour sanitizers
-  fuzz [SECONDS]  looks for inputs that break the readers, instead; 300 seconds unless told otherwise
-  package         makes the packages for Debian and tests those, instead
+  --sanitize            all tests, by clang, under the address and undefined-behaviour sanitizers
+  --thread              all tests, by clang, under the thread sanitizer
+  coverage [FILE.html]  which share of the core's lines the tests run; the page shows the lines
+  tidy [PATTERN]        reads the sources, or those whose path matches, with clang-tidy
+  fuzz [SECONDS]        looks for inputs that break the readers, instead; 300 seconds unless told otherwise
+  package               makes the packages for Debian and tests those, instead
 END
 }
 
@@ -17,13 +21,16 @@ preset=dev
 case ${1-} in
     '') ;;
     --sanitize) preset=sanitize ;;
+    --thread) preset=thread ;;
+    coverage) exec scripts/coverage.sh "${@:2}" ;;
+    tidy) exec scripts/tidy.sh "${@:2}" ;;
     fuzz) exec scripts/fuzz.sh "${@:2}" ;;
     package) exec tests/package/package.sh ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; exit 2 ;;
 esac
 
-. scripts/packages.sh
+[ "$preset" = dev ] || test_packages+=("${sanitize_packages[@]}")
 install_packages "${build_packages[@]}" "${test_packages[@]}"
 
 cmake --preset "$preset"

@@ -15,6 +15,11 @@ fuzz_packages=(clang libclang-rt-14-dev llvm)  # on top of what it takes to buil
 command -v node >/dev/null || test_packages+=(nodejs)
 command -v npm >/dev/null || test_packages+=(npm)
 
+# On top of those of the tests: for the sanitizers, for the lines that run, for clang-tidy.
+sanitize_packages=(clang libclang-rt-14-dev llvm)
+coverage_packages=(gcovr)
+tidy_packages=(clang clang-tidy git)
+
 # To make packages for Debian and to test them, on top of what a build needs.
 package_packages=(dpkg-dev fakeroot file lintian desktop-file-utils shared-mime-info appstream python3)
 
