@@ -87,7 +87,7 @@ def main():
     if shown:
         print("\n" + table(["group", "figure", "unit", "old", "new", "new / old", "threshold", ""],
                            [[o["group"], o["name"], o["unit"], least(o), least(n), ratio, f"{100 * threshold:.0f} %", word]
-                            for o, n, ratio, threshold, word in shown], left=3))
+                            for o, n, ratio, threshold, word in shown], text=(0, 1, 2, -1)))
     worse, better = (sum(row[4] == word for row in rows) for word in (WORSE, BETTER))
     gone = len({key(one) for one in old} - {key(one) for one in new})
     print(f"\n{len(rows)} figures compared: {worse} worse, {better} better, "

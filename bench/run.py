@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """Measures the kernels, whole commands, and what other programs do, and prints the tables of docs/benchmarks.md (Markdown).
 
-    cmake -S . -B build -G Ninja -D RINCEAU_BUILD_BENCH=ON && ninja -C build rinceau kernels interpreter_bench
-    npm install --prefix build/peers lindenmayer svgo
-    bench/run.py build --json today.json
+    bench/run.py --json today.json
 
-Parts: papers (their figures beside ours), commands (cost by size), kernels (each step by itself), peers (other programs).
+Without the name of a build it installs what it needs (Debian; elsewhere it says what), builds the program in build/bench
+and gets lindenmayer and svgo from npm into build/bench/peers. Parts: papers (their figures beside ours), commands (cost by size), kernels (each step by itself), peers (other programs).
 Seconds are the processor's, of all processes and threads together, the least of several runs: what else runs on the machine
 disturbs them little. Commands that can use several threads get one. bench/compare.py compares two files of --json. Peers
 that are not installed are left out and said so. Exit status 1 if something could not be measured.
@@ -13,6 +12,7 @@ that are not installed are left out and said so. Exit status 1 if something coul
 
 import argparse
 import json
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -53,9 +53,28 @@ class Bench:
         print(f"not measured: {what}", file=sys.stderr, flush=True)
 
 
+def prepared():
+    """The folder of a build of our own, up to date."""
+    build = ROOT / "build/bench"
+    install = 'set -e; . scripts/packages.sh; install_packages "${build_packages[@]}" "${bench_packages[@]}"'
+    configure = ["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=Release", "-D", "RINCEAU_BUILD_BENCH=ON",
+                 "-D", "RINCEAU_BUILD_TESTS=OFF", "-D", "RINCEAU_BUILD_EDITOR=OFF"]
+    for command in (["bash", "-c", install], configure,
+                    ["ninja", "-C", build, "rinceau", "kernels", "interpreter_bench"],
+                    ["npm", "install", "--silent", "--prefix", build / "peers", "lindenmayer", "svgo"]):
+        try:
+            status = subprocess.run(command, cwd=ROOT, stdout=sys.stderr).returncode
+        except OSError as error:
+            sys.exit(f"{command[0]}: {error.strerror}")
+        if status != 0 and command[0] != "npm":  # without it peers are left out, and that is said
+            sys.exit(f"{command[0]} failed")
+    return build
+
+
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="the folder that rinceau was built in, with RINCEAU_BUILD_BENCH=ON")
+    parser.add_argument("build", type=Path, nargs="?", help="a folder that rinceau, kernels and interpreter_bench are built in "
+                        "already, with RINCEAU_BUILD_BENCH=ON; it is taken as it is")
     parser.add_argument("--only", default=",".join(PARTS), metavar="PART,..", help="of " + ", ".join(PARTS))
     parser.add_argument("--match", default="", metavar="TEXT", help="only what has this in its name: a command, a kernel, a paper")
     parser.add_argument("--runs", type=int, default=3, help="of everything (3)")
@@ -74,6 +93,7 @@ def parse():
 
 def main():
     options = parse()
+    options.build = options.build or prepared()
     with tempfile.TemporaryDirectory(prefix="rinceau_bench_") as work:
         bench = Bench(options, Path(work))
         if not bench.rinceau.exists():

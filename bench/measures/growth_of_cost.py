@@ -108,7 +108,7 @@ def run(bench):
             rows += rows_of(name, counted, taken_at)
     sizes = QUICK_SIZES if bench.quick else SIZES
     head = ["command", "", *(f"{size:,}" for size in sizes), "exponent"]
-    return figures, table(head, rows, left=2) if rows else ""
+    return figures, table(head, rows, text=(0, 1)) if rows else ""
 
 
 def rows_of(name, counted, taken_at):

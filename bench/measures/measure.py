@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 ONE_RUN = Path(__file__).with_name("one_run.py")
+LONG_SECONDS = 10  # a run that takes so long is not repeated: what disturbs it evens out
 
 
 class CommandFailed(Exception):
@@ -37,7 +38,7 @@ def shown(command, folders):
 
 
 def taken(command, runs=1, folders=None, cwd=None, good=(0,)):
-    """Runs the command so often; its output goes nowhere. Raises CommandFailed unless it ends with a status in `good`."""
+    """Runs the command so often, or once if that is long; its output goes nowhere. Raises CommandFailed unless it ends with a status in `good`."""
     words = [str(word) for word in command]
     result = Taken(shown(words, folders or {}))
     with tempfile.TemporaryDirectory() as folder:
@@ -55,4 +56,6 @@ def taken(command, runs=1, folders=None, cwd=None, good=(0,)):
             result.runs.append(seconds)
             result.walls.append(wall)
             result.peak_mib = max(result.peak_mib, kib / 1024)
+            if seconds > LONG_SECONDS:
+                break
     return result

@@ -50,8 +50,8 @@ def measure_all(bench, group, programs, product):
 def interpreters(bench):
     """bench/peers/speed_table.py: the same drawings, derived and interpreted."""
     package = bench.build / "peers/node_modules/lindenmayer"
-    if not (bench.build / "bench/studies/interpreter_bench").exists():
-        bench.fail("interpreter_bench is not built (it needs RINCEAU_BUILD_TESTS, too)")
+    if not (bench.build / "bench/peers/interpreter_bench").exists():
+        bench.fail("interpreter_bench is not built")
         return [], ""
     if not package.exists():
         missing(bench, "lindenmayer", "npm install --prefix build/peers lindenmayer")

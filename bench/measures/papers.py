@@ -15,24 +15,27 @@ HEAD = ["paper", "where", "what", "paper", "ours", "paper / ours", "ours is"]
 
 
 class Rows:
-    """Lines of the table, and the figures that they stand on."""
+    """Lines of the table, and the figures that are kept of them: counts, and seconds with all their runs."""
 
     def __init__(self):
         self.rows, self.figures = [], []
 
-    def add(self, paper, where, what, theirs, ours, ours_is, unit=""):
+    def tell(self, paper, where, what, theirs, ours, ours_is):
         ratio = theirs / ours if isinstance(theirs, (int, float)) and ours else None
         self.rows.append([paper, where, what, theirs, ours, ratio, ours_is])
-        if unit != "s":  # seconds are kept with all their runs
-            self.figures.append(figure("papers", f"{paper}, {where}: {what}", unit or "number", [ours]))
+
+    def add(self, paper, where, what, theirs, ours, ours_is):
+        """A number of things."""
+        self.tell(paper, where, what, theirs, ours, ours_is)
+        self.figures.append(figure("papers", f"{paper}, {where}: {what}", "number", [ours]))
 
     def seconds(self, paper, where, what, theirs, result, ours_is):
-        self.add(paper, where, what, theirs, result.seconds, f"{ours_is}: `{result.command}`", "s")
+        self.tell(paper, where, what, theirs, result.seconds, f"{ours_is}: `{result.command}`")
         self.figures += of_taken("papers", f"{paper}, {where}: {what}", result)
 
 
-def run_verb(bench, *arguments, runs=None):
-    return taken([bench.rinceau, *arguments], runs or bench.runs, bench.folders)
+def run_verb(bench, *arguments):
+    return taken([bench.rinceau, *arguments], bench.runs, bench.folders)
 
 
 def report_of(bench, *arguments):
@@ -51,28 +54,23 @@ STAVA_TABLE = [
 
 def stava(bench, rows):
     for number, elements, rules, begin, generate, total, file, ours_is in STAVA_TABLE:
-        drawing = bench.samples / file
-        arguments = ["analyze", drawing, "-o", bench.work / "out.lsys", "--threads", "1"]
-        report = report_of(bench, *arguments)
-        where, seconds = f"table 2, figure {number}", report["seconds"]
+        arguments = ["analyze", bench.samples / file, "-o", bench.work / "out.lsys", "--threads", "1"]
+        where, report = f"table 2, figure {number}", report_of(bench, *arguments)
+        result = run_verb(bench, *arguments)
         rows.add(STAVA, where, "elements", elements, report["elements"], ours_is)
         rows.add(STAVA, where, "rules", rules, len(report["productions"]), "productions found")
-        # of one run, by the clock: told, not compared
-        rows.rows.append([STAVA, where, "initialisation, s", begin, *with_ratio(begin, seconds["import"] + seconds["similarity"]
-                          + seconds["clusters"]), "its report: import, similarity, clusters"])
-        rows.rows.append([STAVA, where, "generation of rules, s", generate, *with_ratio(generate, seconds["rules"]
-                          + seconds["verify"]), "its report: rules, verify"])
-        rows.seconds(STAVA, where, "all, s", total, run_verb(bench, *arguments), "the command")
-    for where, what, theirs, file, found in [
-        ("figure 8 a", "elements of the sequence", 5, "fig08_sequence.svg", longest_rule),
-        ("figure 9 a", "repetitions of the helix", 336, "fig09_helix.svg", longest_rule),
+        for what, theirs, parts in [("initialisation, s", begin, ["import", "similarity", "clusters"]),
+                                    ("generation of rules, s", generate, ["rules", "verify"])]:
+            share = sum(report["seconds"][part] for part in parts) / report["seconds"]["total"]
+            rows.tell(STAVA, where, what, theirs, share * result.seconds,
+                      f"the part of the command that its report calls {', '.join(parts)}")
+        rows.seconds(STAVA, where, "all, s", total, result, "the command")
+    for where, what, theirs, file in [
+        ("figure 8 a", "elements of the sequence", 5, "fig08_sequence.svg"),
+        ("figure 9 a", "repetitions of the helix", 336, "fig09_helix.svg"),
     ]:
         report = report_of(bench, "analyze", bench.samples / file, "-o", bench.work / "out.lsys")
-        rows.add(STAVA, where, what, theirs, found(report), "the figure, by its printed numbers: the longest rule found")
-
-
-def with_ratio(theirs, ours):
-    return ours, theirs / ours if ours else None
+        rows.add(STAVA, where, what, theirs, longest_rule(report), "the figure, by its printed numbers: the longest rule found")
 
 
 def longest_rule(report):
@@ -180,4 +178,4 @@ def run(bench):
             part(bench, rows)
         except (CommandFailed, subprocess.CalledProcessError) as error:
             bench.fail(f"{name}: {error}")
-    return rows.figures, table(HEAD, rows.rows, left=3) if rows.rows else ""
+    return rows.figures, table(HEAD, rows.rows, text=(0, 1, 2, -1)) if rows.rows else ""

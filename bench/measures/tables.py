@@ -15,11 +15,14 @@ def number(value):
     return f"{value:.{min(digits, 6)}f}"
 
 
-def table(head, rows, left=1):
-    """The first `left` columns are text, all others stand right."""
-    lines = ["| " + " | ".join(head) + " |", "|" + "".join("---|" if k < left else "--:|" for k in range(len(head)))]
+def table(head, rows, text=(0,)):
+    """The columns numbered in `text` stand left, from the end if negative; all others right. Rows may end early."""
+    left = {column % len(head) for column in text}
+    lines = ["| " + " | ".join(head) + " |",
+             "|" + "".join("---|" if column in left else "--:|" for column in range(len(head)))]
     for row in rows:
-        lines.append("| " + " | ".join(number(cell).replace("|", "\\|") for cell in row) + " |")
+        cells = [number(cell).replace("|", "\\|") for cell in row] + [""] * (len(head) - len(row))
+        lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 

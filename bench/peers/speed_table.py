@@ -35,7 +35,7 @@ def json_of(command):
 
 
 def ours(build, mode, drawing):
-    return json_of([build / "bench/studies/interpreter_bench", mode, HERE / f"{drawing}.lsys"])
+    return json_of([build / "bench/peers/interpreter_bench", mode, HERE / f"{drawing}.lsys"])
 
 
 def lindenmayer(package, drawing):
