@@ -1,4 +1,4 @@
-// Drawings, read and written.
+// Drawings: what is read can be written, and reads back as what was written.
 
 #include "scene/svg_read.h"
 #include "scene/svg_write.h"
@@ -10,5 +10,9 @@ void rinceau::take_input(std::string_view bytes) {
     options.max_elements = 2000;
     options.max_depth = 200;
     options.max_bytes = 1u << 20U;
-    write_svg(read_svg(bytes, options).scene);
+    const Scene scene = read_svg(bytes, options).scene;
+
+    std::string once;
+    require(is_taken([&] { once = write_svg(read_svg(write_svg(scene)).scene); }), "a written drawing can be read");
+    require(write_svg(read_svg(once).scene) == once, "a written drawing reads back as the same");
 }
