@@ -6,13 +6,12 @@
 #include "scene/svg_marker.h"
 #include "scene/svg_outline.h"
 #include "scene/svg_paint.h"
+#include "scene/svg_path_data.h"
 #include "scene/svg_verbatim.h"
 
 namespace rinceau {
 namespace {
 
-// Beyond this no renderer draws anything sensible, and sums of squares stay finite below it.
-constexpr double largest_coordinate = 1e15;
 // A map whose sides differ by less than this share is even: transforms are written with six to nine digits.
 constexpr double evenness = 1e-6;
 // Renderers draw square dots of length 0 wrongly or not at all, so that they become lines this much shorter than wide, and
@@ -37,15 +36,6 @@ Linear2 pen_of(const Affine& map) {
 }
 
 double reach_of(const Affine& map) { return std::hypot(std::hypot(map.a, map.b), std::hypot(map.c, map.d)); }
-
-bool in_range(const std::vector<Path>& paths) {
-    const auto fits = [](Point p) { return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate; };
-    return std::ranges::all_of(paths, [&](const Path& path) {
-        return fits(path.start) && std::ranges::all_of(path.segments, [&](const Segment& segment) {
-                   return fits(segment.control1) && fits(segment.control2) && fits(segment.to);
-               });
-    });
-}
 
 bool is_dot(const Path& path) {
     return std::ranges::all_of(path.segments, [&](const Segment& segment) {
@@ -162,7 +152,7 @@ void draw_shape(SvgReader& reader, const SvgContext& context) {
     if (outline.empty()) return;
     const bool stroke_in_range =
         context.style.stroke_width * context.style.miter_limit * reach_of(scene_map(context)) <= largest_coordinate;
-    if (!in_range(outline) || !in_range(transformed(outline, scene_map(context))) || !stroke_in_range) {
+    if (!is_in_range(outline) || !is_in_range(transformed(outline, scene_map(context))) || !stroke_in_range) {
         reader.warnings.add("{} shapes have lengths or coordinates beyond 1e15 and are left out", *context.node);
         return;
     }
