@@ -112,6 +112,15 @@ void draw_paths(SvgReader& reader, const SvgContext& context, const std::vector<
     add_element(reader, std::move(element), *context.node);
 }
 
+/// Also of a stroke that is stretched so far that its outline leaves the range where its pen is round: it is written there.
+bool stroke_is_in_range(const SvgContext& context, const std::vector<Path>& outline) {
+    const Affine map = scene_map(context);
+    if (context.style.stroke_width * context.style.miter_limit * reach_of(map) > largest_coordinate) return false;
+    if (context.style.stroke.kind == PaintKind::none || context.style.non_scaling_stroke || is_even(map)) return true;
+    const Linear2 pen = pen_of(map);
+    return is_in_range(transformed(outline, inverse(Affine{pen.a, pen.b, pen.c, pen.d, 0, 0}) * map));
+}
+
 /// Fill, stroke and markers in their order; fill and stroke are one element unless the markers come between them.
 void draw_parts(SvgReader& reader, const SvgContext& context, const std::vector<Path>& outline, Style style, bool marked) {
     const auto& order = context.style.paint_order;
@@ -150,9 +159,8 @@ void draw_shape(SvgReader& reader, const SvgContext& context) {
     if (!context.style.visible) return;
     const std::vector<Path> outline = outline_of(reader, context);
     if (outline.empty()) return;
-    const bool stroke_in_range =
-        context.style.stroke_width * context.style.miter_limit * reach_of(scene_map(context)) <= largest_coordinate;
-    if (!is_in_range(outline) || !is_in_range(transformed(outline, scene_map(context))) || !stroke_in_range) {
+    if (!is_in_range(outline) || !is_in_range(transformed(outline, scene_map(context))) ||
+        !stroke_is_in_range(context, outline)) {
         reader.warnings.add("{} shapes have lengths or coordinates beyond 1e15 and are left out", *context.node);
         return;
     }
