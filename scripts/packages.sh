@@ -28,6 +28,9 @@ done
 # To make packages for Debian and to test them, on top of what a build needs.
 package_packages=(dpkg-dev fakeroot file lintian desktop-file-utils shared-mime-info appstream python3)
 
+# To make the site of the pages, alone.
+docs_packages=(doxygen python3 python3-sphinx python3-myst-parser furo)
+
 say() { printf '%s\n' "$*" >&2; }
 
 is_debian() { command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; }
