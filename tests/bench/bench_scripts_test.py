@@ -2,6 +2,8 @@
 """The scripts of bench/: what they read, compare and measure. usage: bench_scripts_test.py RINCEAU SOURCES BUILD"""
 
 import json
+import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -71,6 +73,41 @@ class Comparing(unittest.TestCase):
                   {"machine": {}, "figures": [seconds("b", 6.0), seconds("a", 2.0)]}]
         runs = {one["name"]: one["runs"] for one in join_runs.joined(rounds)["figures"]}
         self.assertEqual(runs, {"a": [1.0, 2.0], "b": [5.0, 6.0]})
+
+
+def program(file, text):
+    file.write_text("#!/bin/sh\n" + text)
+    file.chmod(0o755)
+
+
+@unittest.skipUnless(shutil.which("git"), "git is not there")
+class ComparingCommits(unittest.TestCase):
+    """In a repository that holds bench/ alone, with stand-ins for cmake and ninja that put the program there ready-made."""
+
+    def git(self, folder, *words):
+        return subprocess.run(["git", "-c", "user.name=n", "-c", "user.email=e@example.org", *words], cwd=folder, check=True,
+                              capture_output=True, text=True).stdout
+
+    def test_both_are_measured_in_turn_and_nothing_is_left(self):
+        with tempfile.TemporaryDirectory() as name:
+            tree, tools = Path(name) / "tree", Path(name) / "tools"
+            shutil.copytree(SOURCES / "bench", tree / "bench", ignore=shutil.ignore_patterns("kernels", "studies", "__pycache__"))
+            tools.mkdir()
+            program(tools / "cmake", "exit 0\n")
+            program(tools / "ninja", f'mkdir -p "$2/cli" && ln -s "{RINCEAU}" "$2/cli/rinceau"\n')
+            self.git(tree, "init", "--quiet")
+            self.git(tree, "add", ".")
+            self.git(tree, "commit", "--quiet", "-m", "one")
+            self.git(tree, "commit", "--quiet", "--allow-empty", "-m", "two")
+            ran = subprocess.run([tree / "bench/compare_commits.sh", "HEAD~1", "HEAD", "--", "--quick", "--match", "derive"],
+                                 env={**os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "TMPDIR": name},
+                                 capture_output=True, text=True)
+            self.assertIn(ran.returncode, (0, 1), ran.stderr)  # 1: the machine was busy with something else meanwhile
+            old, new = (self.git(tree, "rev-parse", "--short=12", commit).strip() for commit in ("HEAD~1", "HEAD"))
+            self.assertRegex(ran.stdout, f"old: {old}, .*; new: {new}, ")
+            self.assertRegex(ran.stdout, r"\n6 figures compared: \d worse, \d better, 0 not judged; 0 of the old ones")
+            self.assertEqual(len(self.git(tree, "worktree", "list").splitlines()), 1)
+            self.assertEqual(sorted(left.name for left in Path(name).iterdir()), ["tools", "tree"])
 
 
 class Reading(unittest.TestCase):
