@@ -18,7 +18,7 @@ from measures.figures import key, least
 from measures.tables import number, table
 
 JUDGED = {"s", "MiB"}  # less is better; other units (counts) are only shown if they differ
-LEAST_SECONDS = 0.01  # below this the clock's own grain decides
+LEAST_SECONDS = 0.05  # of a command: below this the start of the process decides
 BETTER, SAME, WORSE, SHOWN = "better", "", "WORSE", "one run"
 
 

@@ -91,11 +91,12 @@ def measured(bench, name, size):
 def run(bench):
     """[figures], text."""
     figures, rows = [], []
+    sizes = QUICK_SIZES if bench.quick else SIZES
     for name in COMMANDS:
         if not bench.wants(name):
             continue
         taken_at = []
-        for size in QUICK_SIZES if bench.quick else SIZES:
+        for size in sizes:
             bench.say(f"{name}, {size:,}")
             try:
                 result, counted, things = measured(bench, name, size)
@@ -105,16 +106,20 @@ def run(bench):
             taken_at.append((things, result))
             figures += of_taken("commands", f"{name}, {size:,}", result, size=things)
         if taken_at:
-            rows += rows_of(name, counted, taken_at)
-    sizes = QUICK_SIZES if bench.quick else SIZES
+            rows += rows_of(name, counted, taken_at, len(sizes))
     head = ["command", "", *(f"{size:,}" for size in sizes), "exponent"]
     return figures, table(head, rows, text=(0, 1)) if rows else ""
 
 
-def rows_of(name, counted, taken_at):
+def rows_of(name, counted, taken_at, columns):
+    """Three lines of a command: what there was, seconds, memory. What was not measured is empty, before the exponent."""
     last = taken_at[-FITTED:]
+
+    def line(title, unit, cells, grown=""):
+        return [title, unit, *cells, *[""] * (columns - len(cells)), grown]
+
     return [
-        [name, counted, *(things for things, _ in taken_at)],
-        ["", "seconds", *(result.seconds for _, result in taken_at), exponent([(n, r.seconds) for n, r in last])],
-        ["", "MiB", *(result.peak_mib for _, result in taken_at), exponent([(n, r.peak_mib) for n, r in last])],
+        line(name, counted, [things for things, _ in taken_at]),
+        line("", "seconds", [r.seconds for _, r in taken_at], exponent([(n, r.seconds) for n, r in last])),
+        line("", "MiB", [r.peak_mib for _, r in taken_at], exponent([(n, r.peak_mib) for n, r in last])),
     ]

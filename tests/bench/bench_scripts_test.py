@@ -15,7 +15,7 @@ sys.path.insert(0, str(SOURCES / "bench"))
 
 import compare
 import join_runs
-from measures import kernels, machine, made_drawings, made_meshes, measure, papers, tables
+from measures import growth_of_cost, kernels, machine, made_drawings, made_meshes, measure, papers, tables
 from measures.figures import figure
 
 
@@ -139,6 +139,14 @@ class Tables(unittest.TestCase):
     def test_numbers_have_three_digits(self):
         shown = [tables.number(x) for x in (0.012345, 1.2345, 12.345, 1234.5, 7, None, "text")]
         self.assertEqual(shown, ["0.0123", "1.23", "12.3", "1,234", "7", "–", "text"])
+
+    def test_a_command_that_was_not_measured_at_all_sizes_keeps_its_exponent_in_its_column(self):
+        taken_at = [(n, measure.Taken("", [n / 1000], [n / 1000], 10.0)) for n in (1000, 10_000)]
+        things, seconds, memory = growth_of_cost.rows_of("grow", "shapes", taken_at, 3)
+        self.assertEqual(things, ["grow", "shapes", 1000, 10_000, "", ""])
+        self.assertEqual(seconds[:5], ["", "seconds", 1.0, 10.0, ""])
+        self.assertAlmostEqual(seconds[5], 1.0)
+        self.assertAlmostEqual(memory[5], 0.0)
 
     def test_short_rows_are_filled_and_text_stands_left(self):
         self.assertEqual(tables.table(["a", "b", "c"], [["x", 1]], text=(0, -1)),
