@@ -7,6 +7,7 @@
 #include "scene/svg_outline.h"
 #include "scene/svg_paint.h"
 #include "scene/svg_path_data.h"
+#include "scene/svg_path_length.h"
 #include "scene/svg_verbatim.h"
 
 namespace rinceau {
@@ -79,7 +80,8 @@ ShapeStyle scene_style(SvgReader& reader, const SvgContext& context, const std::
     style.fill_rule = given.fill_rule;
     if (style.fill_opacity <= 0 || std::ranges::none_of(outline, encloses_area)) style.fill = NoPaint{};
     const SvgPaint stroke = resolve_paint(reader, context, given.stroke, box);
-    style.stroke = stroke_under(given, scene_map(context), reader.pixel);
+    const Affine map = scene_map(context);
+    style.stroke = stroke_under(with_measured_dashes(given, *context.node, outline, map, reader.pixel), map, reader.pixel);
     style.stroke.opacity = given.stroke_opacity * stroke.opacity;
     const bool strokes = style.stroke.width > 0 && style.stroke.opacity > 0;
     if (strokes) style.stroke.paint = stroke.paint;
