@@ -11,6 +11,9 @@ namespace rinceau {
 /// One line.
 void say(const std::string& line);
 
+/// Says so without needing any.
+void say_memory_does_not_suffice() noexcept;
+
 /// "warning: file:line:column: message", a line each.
 void say_warnings(const std::vector<Warning>& warnings);
 
