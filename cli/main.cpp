@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/exit_status.h"
+#include "cli/last_words.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
 #include "files/output_error.h"
@@ -92,6 +93,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     open_standard_streams();
+    tell_when_memory_ends();
     const bool ends_at_broken_pipe = let_writes_fail();
     try {
         return run(argc, argv);
