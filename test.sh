@@ -2,20 +2,35 @@
 # Installs what the tests need, builds everything with warnings as errors, runs every test.
 # The last line reads "N passed, M failed"; the exit status is 0 only if M = 0.
 set -euo pipefail
-# ./test.sh package: makes the packages for Debian and tests those, instead.
-[ "${1-}" != package ] || exec "$(dirname -- "${BASH_SOURCE[0]}")/tests/package/package.sh"
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+cd "$root"
+. scripts/packages.sh
+usage() {
+    cat <<'END'
+Usage: ./test.sh [MODE]
+  --sanitize            all tests, by clang, under the address and undefined-behaviour sanitizers
+  --thread              all tests, by clang, under the thread sanitizer
+  coverage [FILE.html]  which share of the core's lines the tests run; the page shows the lines
+  tidy [PATTERN]        reads the sources, or those whose path matches, with clang-tidy
+  fuzz [SECONDS]        looks for inputs that break the readers, instead; 300 seconds unless told otherwise
+  package               makes the packages for Debian and tests those, instead
+END
+}
 
 preset=dev
 case ${1-} in
     '') ;;
     --sanitize) preset=sanitize ;;
-    -h | --help) printf 'Usage: ./test.sh [--sanitize]\n  --sanitize  under the address and undefined-behaviour sanitizers\n'; exit 0 ;;
-    *) printf 'Usage: ./test.sh [--sanitize]\n' >&2; exit 2 ;;
+    --thread) preset=thread ;;
+    coverage) exec scripts/coverage.sh "${@:2}" ;;
+    tidy) exec scripts/tidy.sh "${@:2}" ;;
+    fuzz) exec scripts/fuzz.sh "${@:2}" ;;
+    package) exec tests/package/package.sh ;;
+    -h | --help) usage; exit 0 ;;
+    *) usage >&2; exit 2 ;;
 esac
 
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-cd "$root"
-. scripts/packages.sh
+[ "$preset" = dev ] || test_packages+=("${sanitize_packages[@]}")
 install_packages "${build_packages[@]}" "${test_packages[@]}"
 
 cmake --preset "$preset"

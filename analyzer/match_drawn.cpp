@@ -147,18 +147,15 @@ class Matcher {
         while (cell.first_free < cell.drawn.size() && taken_[cell.drawn[cell.first_free]]) ++cell.first_free;
     }
 
-    /// The cells whose elements may have their centres within reach.
+    /// The cells whose elements may have their centres within reach: two each way, three where a centre stands so nearly in
+    /// the middle of its cell that rounding puts both ends of its reach into the cells beside it.
     std::vector<const Cell*> cells_near(Point p) const {
         std::vector<const Cell*> near;
-        const double first_x = cell_index(p.x - reach_), last_x = cell_index(p.x + reach_);
-        const double first_y = cell_index(p.y - reach_), last_y = cell_index(p.y + reach_);
-        for (const double x : {first_x, last_x}) {
-            for (const double y : {first_y, last_y}) {
-                if ((x == first_x || first_x != last_x) && (y == first_y || first_y != last_y)) {
-                    const auto found = cells_.find({x, y});
-                    if (found != cells_.end() && std::find(near.begin(), near.end(), &found->second) == near.end()) {
-                        near.push_back(&found->second);
-                    }
+        for (const double x : {p.x - reach_, p.x, p.x + reach_}) {
+            for (const double y : {p.y - reach_, p.y, p.y + reach_}) {
+                const auto found = cells_.find({cell_index(x), cell_index(y)});
+                if (found != cells_.end() && std::find(near.begin(), near.end(), &found->second) == near.end()) {
+                    near.push_back(&found->second);
                 }
             }
         }

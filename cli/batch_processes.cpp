@@ -38,7 +38,7 @@ struct Process {
 };
 
 void limit_memory([[maybe_unused]] std::uint64_t bytes) {
-#ifndef __SANITIZE_ADDRESS__  // its shadow is larger than any limit
+#ifndef RINCEAU_SANITIZED  // its shadow is larger than any limit
     rlimit limit{};
     if (bytes == 0 || ::getrlimit(RLIMIT_AS, &limit) != 0) return;
     limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});

@@ -105,6 +105,7 @@ class FractintWriter {
                 states.push_back(State(states.back()));
                 open.emplace_back();
             } else if (symbol == "]") {
+                if (open.size() == 1) throw InputError({}, "expected '[' before each ']' of the derived string, found none");
                 states.pop_back();
                 close_group(open);
             } else if (symbol == ";") {

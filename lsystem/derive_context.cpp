@@ -53,11 +53,8 @@ class ContextDerivation {
     ContextDecisions derive(const Progress& progress) {
         append(grammar_.axiom, {}, grammar_.root, 0);
         std::swap(string_, next_);
-        for (int step = 0; step < limits_.depth(); ++step) {
-            limits_.check_time();
-            if (limits_.depth() != std::numeric_limits<int>::max()) report(progress, "derive", share_of_depth(step));
-            if (!rewrite(step)) break;
-        }
+        for (int step = 0; step < limits_.depth(); ++step)
+            if (!rewrite(step, progress)) break;
         return std::move(decisions_);
     }
 
@@ -86,7 +83,12 @@ class ContextDerivation {
     std::vector<double> parameters_;  ///< of the open frames
     std::vector<double> arguments_;
 
-    double share_of_depth(int step) const { return static_cast<double>(step) / limits_.depth(); }
+    /// Between steps and, of long strings, within them.
+    void look_up(int step, const Progress& progress) const {
+        limits_.check_time();
+        const bool known = limits_.depth() != std::numeric_limits<int>::max();
+        report(progress, "derive", known ? static_cast<double>(step) / limits_.depth() : 0);
+    }
 
     std::size_t reserve_decisions(const CompiledString& string) {
         const std::size_t first = decisions_.symbols.size();
@@ -150,12 +152,14 @@ class ContextDerivation {
     }
 
     /// One step; false if no production applied.
-    bool rewrite(int step) {
+    bool rewrite(int step, const Progress& progress) {
+        constexpr std::size_t symbols_at_once = 1u << 14U;
         find_neighbours();
         next_.symbols.clear();
         next_.arguments.clear();
         bool rewritten = false;
         for (std::size_t i = 0; i < string_.symbols.size(); ++i) {
+            if (i % symbols_at_once == 0) look_up(step, progress);
             const Standing& standing = string_.symbols[i];
             if (standing.symbol < command_count) {
                 next_.symbols.push_back(standing);

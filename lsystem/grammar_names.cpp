@@ -15,7 +15,7 @@ bool is_command(const std::string& symbol) { return find_turtle_command(symbol) 
 
 class UseCollector {
   public:
-    explicit UseCollector(const Grammar& grammar) : grammar_(grammar) {
+    explicit UseCollector(const Grammar& grammar) {
         for (const Production& production : grammar.productions) productions_[production.symbol].push_back(&production);
         for (const Terminal& terminal : grammar.terminals) terminals_[terminal.symbol] = &terminal;
         for (const Constant& constant : grammar.constants) constants_[constant.name] = &constant;
@@ -33,7 +33,6 @@ class UseCollector {
     UsedNames take() { return std::move(used_); }
 
   private:
-    const Grammar& grammar_;
     std::map<std::string, std::vector<const Production*>> productions_;
     std::map<std::string, const Terminal*> terminals_;
     std::map<std::string, const Constant*> constants_;

@@ -70,6 +70,16 @@ Region combined(const Region& a, const Region& b, ClipperLib::ClipType operation
     return from_grid(result, grid);
 }
 
+/// Without crossings, outlines counter-clockwise and holes clockwise. (SimplifyPolygons compares all points of a polygon
+/// with each other so that none touches itself; nothing here needs that.)
+ClipperLib::Paths uncrossed(const ClipperLib::Paths& paths, ClipperLib::PolyFillType fill) {
+    ClipperLib::Clipper clipper;
+    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+    ClipperLib::Paths result;
+    clipper.Execute(ClipperLib::ctUnion, result, fill, fill);
+    return result;
+}
+
 Region flattened_all(const std::vector<Path>& paths, double deviation) {
     Region polygons;
     polygons.reserve(paths.size());
@@ -120,10 +130,8 @@ Region stroke_region(const std::vector<Path>& paths, const Stroke& stroke, doubl
 Region enclosed_region(const std::vector<Path>& paths, FillRule rule, double deviation) {
     const Region outlines = flattened_all(paths, deviation);
     const Grid grid = grid_over(bounds(outlines));
-    ClipperLib::Paths result;
-    ClipperLib::SimplifyPolygons(to_grid(outlines, grid), result,
-                                 rule == FillRule::evenodd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero);
-    return from_grid(result, grid);
+    const auto fill = rule == FillRule::evenodd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero;
+    return from_grid(uncrossed(to_grid(outlines, grid), fill), grid);
 }
 
 Region painted_region(const Element& element, double deviation) {
@@ -141,10 +149,9 @@ Region difference_of(const Region& a, const Region& b) { return combined(a, b, C
 Region offset_region(const Region& region, double distance) {
     if (region.empty()) return {};
     const Grid grid = grid_over(grown(bounds(region), 2 * std::abs(distance)));
-    ClipperLib::Paths oriented;
-    ClipperLib::SimplifyPolygons(to_grid(region, grid), oriented, ClipperLib::pftEvenOdd);
     ClipperLib::ClipperOffset offset;
-    offset.AddPaths(oriented, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+    offset.AddPaths(uncrossed(to_grid(region, grid), ClipperLib::pftEvenOdd), ClipperLib::jtMiter,
+                    ClipperLib::etClosedPolygon);
     ClipperLib::Paths result;
     offset.Execute(result, distance * grid.scale);
     return from_grid(result, grid);
@@ -152,10 +159,9 @@ Region offset_region(const Region& region, double distance) {
 
 double area(const Region& region) {
     const Grid grid = grid_over(bounds(region));
-    ClipperLib::Paths oriented;
-    ClipperLib::SimplifyPolygons(to_grid(region, grid), oriented, ClipperLib::pftEvenOdd);
     double sum = 0;
-    for (const ClipperLib::Path& path : oriented) sum += ClipperLib::Area(path);
+    for (const ClipperLib::Path& path : uncrossed(to_grid(region, grid), ClipperLib::pftEvenOdd))
+        sum += ClipperLib::Area(path);
     return sum / (grid.scale * grid.scale);
 }
 

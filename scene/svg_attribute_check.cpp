@@ -5,6 +5,7 @@
 #include <span>
 
 #include "scene/svg_number.h"
+#include "scene/svg_path_length.h"
 #include "scene/svg_viewport.h"
 
 namespace rinceau {
@@ -38,6 +39,7 @@ bool is_view_box(std::string_view value) {
     const auto box = parse_view_box(value);
     return box && box->width > 0 && box->height > 0;
 }
+bool is_path_length(std::string_view value) { return parse_path_length(value).has_value(); }
 bool is_aspect(std::string_view value) { return parse_aspect_ratio(value).has_value(); }
 bool is_share(std::string_view value) { return parse_share(value).has_value(); }
 bool is_units(std::string_view value) { return value == "userSpaceOnUse" || value == "objectBoundingBox"; }
@@ -56,6 +58,7 @@ constexpr std::string_view all_of_it = "100% is taken";
 constexpr std::string_view default_value = "the default is taken";
 constexpr std::string_view no_view_box = "no view box is taken (nothing is drawn if its size is 0)";
 constexpr std::string_view no_radius = "no radius is taken";
+constexpr std::string_view true_length = "dashes count in user units";
 
 constexpr auto attributes = [] {
     auto all = std::to_array<Attribute>({
@@ -111,6 +114,13 @@ constexpr auto attributes = [] {
         {"radialGradient", "fr", is_size, default_value},
         {"radialGradient", "gradientUnits", is_units, default_value},
         {"radialGradient", "spreadMethod", is_spread, default_value},
+        {"path", "pathLength", is_path_length, true_length},
+        {"rect", "pathLength", is_path_length, true_length},
+        {"circle", "pathLength", is_path_length, true_length},
+        {"ellipse", "pathLength", is_path_length, true_length},
+        {"line", "pathLength", is_path_length, true_length},
+        {"polyline", "pathLength", is_path_length, true_length},
+        {"polygon", "pathLength", is_path_length, true_length},
         {"stop", "offset", is_share, zero},
     });
     std::ranges::sort(all, [](const Attribute& a, const Attribute& b) {

@@ -65,6 +65,7 @@ class ClipReader {
         if (!is_shape(context.node->name)) return false;
         if (!context.style.visible) return true;
         std::vector<Path> paths = transformed(outline_of(reader_, context), scene_map(context));
+        if (!is_in_range(paths)) return false;
         if (!paths.empty()) clip.shapes.push_back({std::move(paths), context.style.clip_rule});
         return true;
     }

@@ -1,6 +1,7 @@
 #include "scene/svg_outline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/svg_number.h"
 #include "scene/svg_path_data.h"
@@ -81,6 +82,15 @@ bool is_shape(std::string_view name) {
 
 bool takes_markers(std::string_view name) {
     return name == "path" || name == "line" || name == "polyline" || name == "polygon";
+}
+
+bool is_in_range(const std::vector<Path>& paths) {
+    const auto fits = [](Point p) { return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate; };
+    return std::ranges::all_of(paths, [&](const Path& path) {
+        return fits(path.start) && std::ranges::all_of(path.segments, [&](const Segment& segment) {
+                   return fits(segment.control1) && fits(segment.control2) && fits(segment.to);
+               });
+    });
 }
 
 std::vector<Path> outline_of(SvgReader& reader, const SvgContext& context) {

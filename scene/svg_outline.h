@@ -20,6 +20,9 @@ double length_of(const SvgContext& context, std::string_view name, LengthAxis ax
 /// In user space (y down). Faults in the data are reported; what comes before them is kept. Empty if nothing is drawn.
 std::vector<Path> outline_of(SvgReader& reader, const SvgContext& context);
 
+/// Is every coordinate a number up to largest_coordinate (svg_path_data.h)?
+bool is_in_range(const std::vector<Path>& paths);
+
 /// Which ends of segments of that outline, (sub-path, segment), are no vertices of the drawing but joints inside an arc.
 std::vector<std::pair<std::size_t, std::size_t>> arc_joints_of(const SvgContext& context);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "geometry/angle.h"
@@ -13,9 +14,6 @@
 namespace rinceau {
 
 namespace {
-
-// Beyond this, differences of neighbouring coordinates have lost the digits that a drawing needs.
-constexpr double largest_coordinate = 1e15;
 
 constexpr std::string_view command_letters = "MmLlHhVvCcSsQqTtAaZz";
 
@@ -43,10 +41,15 @@ std::size_t argument_count(char kind) {
 
 using Arguments = std::array<double, 7>;
 
+bool in_range(Point p) { return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate; }
+bool in_range(const Segment& piece) { return in_range(piece.control1) && in_range(piece.control2) && in_range(piece.to); }
+
 // Draws the commands with absolute points; knows what "current point", smooth curves and closing need.
 class Pen {
   public:
     Point at() const { return at_; }
+    /// Was a command left out that goes beyond the largest coordinate, by a mirrored control point or an arc's bulge?
+    bool lost_one() const { return lost_one_; }
     void move(Point to) {
         finish();
         at_ = path_.start = to;
@@ -60,21 +63,17 @@ class Pen {
         at_ = path_.start = start;
         previous_ = 'Z';
     }
-    void line(Point to) { add(line_to(to), 'L'); }
+    void line(Point to) { add(std::array{line_to(to)}, 'L'); }
     void curve(Point control1, Point control2, Point to) {
         handle_ = control2;
-        add(curve_to(control1, control2, to), 'C');
+        add(std::array{curve_to(control1, control2, to)}, 'C');
     }
     void quadratic(Point control, Point to) {
         handle_ = control;
-        add(curve_to(at_ + 2.0 / 3 * (control - at_), to + 2.0 / 3 * (control - to), to), 'Q');
+        add(std::array{curve_to(at_ + 2.0 / 3 * (control - at_), to + 2.0 / 3 * (control - to), to)}, 'Q');
     }
     void arc(Point radii, double rotation, bool large, bool sweep, Point to) {
-        const std::vector<Segment> segments = arc_segments(at_, radii, rotation, large, sweep, to);
-        for (const Segment& segment : segments) {
-            if (&segment != &segments.front()) arc_joints_.emplace_back(paths_.size(), path_.segments.size() - 1);
-            add(segment, 'A');
-        }
+        add(arc_segments(at_, radii, rotation, large, sweep, to), 'A');
     }
     /// The control point of a smooth curve after a curve of this kind: the last one mirrored, else the current point.
     Point smooth_control(char kind) const { return previous_ == kind ? 2 * at_ - handle_ : at_; }
@@ -85,10 +84,16 @@ class Pen {
     std::vector<std::pair<std::size_t, std::size_t>> take_arc_joints() { return std::move(arc_joints_); }
 
   private:
-    void add(const Segment& segment, char kind) {
+    /// All pieces of one command, or none.
+    void add(std::span<const Segment> pieces, char kind) {
+        lost_one_ = lost_one_ || !std::ranges::all_of(pieces, [](const Segment& piece) { return in_range(piece); });
+        if (lost_one_) return;
         open_ = true;
-        path_.segments.push_back(segment);
-        at_ = segment.to;
+        for (const Segment& piece : pieces) {
+            if (&piece != &pieces.front()) arc_joints_.emplace_back(paths_.size(), path_.segments.size() - 1);
+            path_.segments.push_back(piece);
+        }
+        at_ = path_.segments.back().to;
         previous_ = kind;
     }
     void finish() {
@@ -101,6 +106,7 @@ class Pen {
     std::vector<std::pair<std::size_t, std::size_t>> arc_joints_;
     Path path_;
     bool open_ = false;  // path_ has something to draw
+    bool lost_one_ = false;
     Point at_;
     Point handle_;  // last control point of the curve before
     char previous_ = 'M';
@@ -188,6 +194,7 @@ class PathReader {
             const std::optional<Arguments> arguments = read_arguments(letter);
             if (!arguments) return false;
             draw(pen_, letter, *arguments);
+            if (pen_.lost_one()) return fail("expected a curve within 1e15 of the origin");
             if (letter == 'M') letter = 'L';
             if (letter == 'm') letter = 'l';
             const std::size_t end = cursor_.at;

@@ -6,13 +6,13 @@
 #include "scene/svg_marker.h"
 #include "scene/svg_outline.h"
 #include "scene/svg_paint.h"
+#include "scene/svg_path_data.h"
+#include "scene/svg_path_length.h"
 #include "scene/svg_verbatim.h"
 
 namespace rinceau {
 namespace {
 
-// Beyond this no renderer draws anything sensible, and sums of squares stay finite below it.
-constexpr double largest_coordinate = 1e15;
 // A map whose sides differ by less than this share is even: transforms are written with six to nine digits.
 constexpr double evenness = 1e-6;
 // Renderers draw square dots of length 0 wrongly or not at all, so that they become lines this much shorter than wide, and
@@ -37,15 +37,6 @@ Linear2 pen_of(const Affine& map) {
 }
 
 double reach_of(const Affine& map) { return std::hypot(std::hypot(map.a, map.b), std::hypot(map.c, map.d)); }
-
-bool in_range(const std::vector<Path>& paths) {
-    const auto fits = [](Point p) { return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate; };
-    return std::ranges::all_of(paths, [&](const Path& path) {
-        return fits(path.start) && std::ranges::all_of(path.segments, [&](const Segment& segment) {
-                   return fits(segment.control1) && fits(segment.control2) && fits(segment.to);
-               });
-    });
-}
 
 bool is_dot(const Path& path) {
     return std::ranges::all_of(path.segments, [&](const Segment& segment) {
@@ -89,7 +80,8 @@ ShapeStyle scene_style(SvgReader& reader, const SvgContext& context, const std::
     style.fill_rule = given.fill_rule;
     if (style.fill_opacity <= 0 || std::ranges::none_of(outline, encloses_area)) style.fill = NoPaint{};
     const SvgPaint stroke = resolve_paint(reader, context, given.stroke, box);
-    style.stroke = stroke_under(given, scene_map(context), reader.pixel);
+    const Affine map = scene_map(context);
+    style.stroke = stroke_under(with_measured_dashes(given, *context.node, outline, map, reader.pixel), map, reader.pixel);
     style.stroke.opacity = given.stroke_opacity * stroke.opacity;
     const bool strokes = style.stroke.width > 0 && style.stroke.opacity > 0;
     if (strokes) style.stroke.paint = stroke.paint;
@@ -120,6 +112,15 @@ void draw_paths(SvgReader& reader, const SvgContext& context, const std::vector<
     element.style = style;
     if (const std::string_view* id = find_attribute(*context.node, "id")) element.id = *id;
     add_element(reader, std::move(element), *context.node);
+}
+
+/// Also of a stroke that is stretched so far that its outline leaves the range where its pen is round: it is written there.
+bool stroke_is_in_range(const SvgContext& context, const std::vector<Path>& outline) {
+    const Affine map = scene_map(context);
+    if (context.style.stroke_width * context.style.miter_limit * reach_of(map) > largest_coordinate) return false;
+    if (context.style.stroke.kind == PaintKind::none || context.style.non_scaling_stroke || is_even(map)) return true;
+    const Linear2 pen = pen_of(map);
+    return is_in_range(transformed(outline, inverse(Affine{pen.a, pen.b, pen.c, pen.d, 0, 0}) * map));
 }
 
 /// Fill, stroke and markers in their order; fill and stroke are one element unless the markers come between them.
@@ -160,9 +161,8 @@ void draw_shape(SvgReader& reader, const SvgContext& context) {
     if (!context.style.visible) return;
     const std::vector<Path> outline = outline_of(reader, context);
     if (outline.empty()) return;
-    const bool stroke_in_range =
-        context.style.stroke_width * context.style.miter_limit * reach_of(scene_map(context)) <= largest_coordinate;
-    if (!in_range(outline) || !in_range(transformed(outline, scene_map(context))) || !stroke_in_range) {
+    if (!is_in_range(outline) || !is_in_range(transformed(outline, scene_map(context))) ||
+        !stroke_is_in_range(context, outline)) {
         reader.warnings.add("{} shapes have lengths or coordinates beyond 1e15 and are left out", *context.node);
         return;
     }

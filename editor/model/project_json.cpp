@@ -60,7 +60,8 @@ Json analysis_json(const AnalyzeOptions& options) {
 }
 
 Json stamp_json(const FileStamp& stamp) {
-    return {{"modified", std::to_string(stamp.modified)},
+    // As it is read: a time before 1970 as a number without a sign.
+    return {{"modified", std::to_string(static_cast<std::uint64_t>(stamp.modified))},
             {"bytes", std::to_string(stamp.bytes)},
             {"node", std::to_string(stamp.node)}};
 }

@@ -67,6 +67,13 @@ TEST_CASE("a project that uses other files holds them: it opens where they are n
     CHECK(other.was_told("uses flower.lsys, which is not beside it"));
 }
 
+TEST_CASE("a copy for emergencies of a file from before 1970 can be read") {
+    const ProjectOrigin origin{"/old.lsys", FileStamp{.modified = -86'400'000'000'000, .bytes = 5, .node = 7}};
+    const Project read = parse_project(to_json(Project{empty_document(), {}, origin}), "x.rinceau");
+    REQUIRE(read.origin);
+    CHECK(read.origin->stamp == origin.stamp);
+}
+
 TEST_CASE("mistakes in a project are named with their place") {
     const std::string good = to_json(Project{with_everything("facade.svg"), {}, {}});
     const auto message = [&](const std::string& part, const std::string& instead) {

@@ -46,3 +46,7 @@ TEST_CASE("Fractint's lines are short enough for every version") {
 TEST_CASE("A grammar of fragments only is refused") {
     CHECK_THROWS_AS(fractint_of("axiom: V\nterminal V: box 0 0 1 1; verbatim <<<SVG\n<text>x</text>\nSVG\n"), InputError);
 }
+
+TEST_CASE("A string with a ] too many is refused") {
+    CHECK_THROWS_WITH(fractint_of("axiom: [A] f(5) A]\n" + stroke), Contains("expected '['"));
+}

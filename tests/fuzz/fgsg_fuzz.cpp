@@ -1,10 +1,11 @@
-// Shape grammars, grown on a torus for a short while.
+// Shape grammars: checked, written, and grown on a torus for a short while.
 
 #include <algorithm>
 
 #include "growth/surface/check_shape_grammar.h"
 #include "growth/surface/derive_shapes.h"
 #include "growth/surface/parse_shape_grammar.h"
+#include "growth/surface/shape_grammar_text.h"
 #include "growth/surface/surface_world.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/surface/surface_shapes.h"
@@ -25,13 +26,21 @@ std::string any_file(const std::string& name) {
 }  // namespace
 
 void take_input(std::string_view bytes) {
-    static const auto torus = std::make_shared<const SurfaceMesh>(surface_mesh(torus_triangles(24, 12, 2, 0.7)));
-    inspect_shape_grammar(bytes, "any.fgsg");
-    const ShapeGrammar grammar = parse_shape_grammar(bytes, "any.fgsg");
+    static const auto torus = std::make_shared<const SurfaceMesh>(surface_mesh(torus_triangles(12, 8, 2, 0.7)));
+    const bool mistaken = !inspect_shape_grammar(bytes, "any.fgsg").mistakes.empty();
+    ShapeGrammar grammar;
+    const bool parsed = is_taken([&] { grammar = parse_shape_grammar(bytes, "any.fgsg"); });
+    require(parsed || mistaken, "what cannot be read has a mistake");
+    if (!parsed) return;
+    const std::string text = to_text(grammar);
+    require(
+        is_taken([&] { require(to_text(parse_shape_grammar(text)) == text, "a written grammar reads back as the same"); }),
+        "a written grammar can be read");
+
     const SurfaceWorld world = make_world(grammar, torus, any_file);
     ShapeDerivationOptions options = options_of(grammar);
-    options.max_shapes = std::min(options.max_shapes, 200L);
-    options.max_rules = std::min(options.max_rules, 2000L);
+    options.max_shapes = std::min(options.max_shapes, 100L);
+    options.max_rules = std::min(options.max_rules, 1000L);
     options.max_seconds = 1;
     const SurfacePattern pattern = derive_shapes(grammar, world, options);
     assembly_of(pattern, *torus);

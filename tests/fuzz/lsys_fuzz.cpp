@@ -1,15 +1,24 @@
-// L-systems, drawn flat and laid on a torus.
+// L-systems: checked, written as text and as JSON, drawn flat and laid on a torus.
 
+#include "exports/json_grammar.h"
 #include "growth/surface/grow_drawing.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/surface/surface_shapes.h"
 
-void rinceau::take_input(std::string_view bytes) {
-    static const SurfaceMesh torus = surface_mesh(torus_triangles(24, 12, 2, 0.7));
-    check_grammar(bytes, "any.lsys");
-    const Grammar grammar = parse_grammar(bytes, "any.lsys");
+namespace rinceau {
+namespace {
+
+void write_and_read(const Grammar& grammar) {
+    const std::string text = to_text(grammar);
+    require(to_text(parse_grammar(text)) == text, "a grammar that is written reads back as the same");
+    const std::string json = to_json(grammar).bytes;
+    require(to_text(parse_json_grammar(json)) == text, "a grammar comes back from JSON");
+}
+
+void draw(const Grammar& grammar) {
+    static const SurfaceMesh torus = surface_mesh(torus_triangles(12, 8, 2, 0.7));
     InterpretOptions options;
     options.derive.max_modules = 2000;
     options.derive.max_seconds = 1;
@@ -20,3 +29,17 @@ void rinceau::take_input(std::string_view bytes) {
     laying.max_shapes = few;
     grow_drawing(grammar, torus, nullptr, laying);
 }
+
+}  // namespace
+
+void take_input(std::string_view bytes) {
+    const bool mistaken = !check_grammar(bytes, "any.lsys").empty();
+    Grammar grammar;
+    const bool parsed = is_taken([&] { grammar = parse_grammar(bytes, "any.lsys"); });
+    require(parsed || mistaken, "what cannot be read has a mistake");
+    if (!parsed) return;
+    write_and_read(grammar);
+    draw(grammar);
+}
+
+}  // namespace rinceau

@@ -203,3 +203,16 @@ TEST_CASE("contexts are found in a time that grows with the string, not with its
     const std::string text = derived(body + "\nA < S -> T\nS > A -> U\n");
     CHECK(std::count(text.begin(), text.end(), 'T') == branches);
 }
+
+TEST_CASE("a derivation with contexts that does not end can be stopped") {
+    struct Stopped {};
+    int calls = 0;
+    const Progress stop_soon = [&](std::string_view, double done) {
+        CHECK(done >= 0);
+        CHECK(done <= 1);
+        if (++calls > 5) throw Stopped{};
+    };
+    DeriveOptions options;
+    options.max_modules = 100'000;  // which is reached before anything is interpreted
+    CHECK_THROWS_AS(derive(in_steps("axiom: A\nA -> A A\n"), options, stop_soon), Stopped);
+}

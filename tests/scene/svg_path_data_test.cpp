@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "geometry/angle.h"
@@ -168,5 +169,20 @@ TEST_CASE("everything before a fault is kept and the fault is located") {
         CHECK(parsed.fault_at == c.fault_at);
         CHECK_FALSE(parsed.fault.empty());
         CHECK((parsed.paths.empty() ? 0 : parsed.paths[0].segments.size()) == c.segments);
+    }
+}
+
+TEST_CASE("a curve whose implied points lie beyond the largest coordinate is a fault, and draws nothing") {
+    const std::string begin = "M22 20L30 20";
+    for (const char* beyond : {"A5 1e15 0 1 0 22 20", "C1 1 -9e14 -9e14 9e14 9e14S1 1 2 2", "T9e14 0T-9e14 0T9e14 0"}) {
+        const ParsedPath parsed = parse_path_data(begin + beyond);
+        INFO(beyond << ": " << parsed.fault);
+        CHECK(parsed.faulty);
+        REQUIRE_FALSE(parsed.paths.empty());
+        CHECK(parsed.paths.front().start == Point{22, 20});
+        for (const Segment& segment : parsed.paths.front().segments)
+            for (const Point p : {segment.control1, segment.control2, segment.to})
+                CHECK(std::max(std::abs(p.x), std::abs(p.y)) <= largest_coordinate);
+        for (const auto& [path, joint] : parsed.arc_joints) CHECK(joint < parsed.paths[path].segments.size());
     }
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/svg_read.h"
+#include "scene/svg_write.h"
 
 using namespace rinceau;
 
@@ -136,4 +137,36 @@ TEST_CASE("a fault of the XML library still has a line of the drawing") {
     const std::string message = refusal<InputError>(head + "\n<rect width=5 height=\"5\"/>\n</svg>");
     INFO(message);
     CHECK(message.starts_with("bad.svg:2:"));
+}
+
+TEST_CASE("a clip whose shapes lie beyond all coordinates leaves what it clips as it is") {
+    for (const char* far : {"<rect x='1e308' width='80' height='80'/>", "<circle r='1e200'/>",
+                            "<rect width='9' height='9' transform='scale(1e300)'/>"}) {
+        const SvgReadResult read = read_svg(head + "<clipPath id='c'>" + far +
+                                            "</clipPath><path clip-path='url(#c)' d='M20 20h10v10h-10z'/></svg>");
+        INFO(far);
+        REQUIRE(read.scene.elements.size() == 1);
+        CHECK_FALSE(read.scene.elements.front().verbatim.empty());
+    }
+}
+
+TEST_CASE("a clip is told in a time that does not grow with the square of its corners") {
+    // Far larger than the drawing, so that it is flattened into as many corners as there may be.
+    std::string circles;
+    for (int i = 0; i < 8; ++i) circles += "<circle r='" + std::to_string(i + 1) + "e9'/>";
+    const auto begin = std::chrono::steady_clock::now();
+    const SvgReadResult read = read_svg(head + "<clipPath id='c'>" + circles +
+                                        "</clipPath><path clip-path='url(#c)' d='M20 20h10v10h-10z'/></svg>");
+    constexpr double patience = 5;  // seconds, on a busy machine; about 0.2 on an idle one
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < patience);
+    REQUIRE(read.scene.elements.size() == 1);
+    CHECK(read.scene.elements.front().verbatim.empty());
+}
+
+TEST_CASE("a stroke that is stretched beyond measure is left out rather than written out of range") {
+    const std::string svg = head + "<path d='M1 1h9v9z' fill='red' stroke='blue' transform='scale(1e-150 1e150)'/>"
+                                   "<path d='M1 1h9v9z' fill='red' stroke='blue' transform='scale(1e-3 1e3)'/></svg>";
+    const Scene once = read_svg(svg).scene;
+    CHECK(once.elements.size() == 1);
+    CHECK(read_svg(write_svg(once)).scene.elements.size() == 1);
 }
