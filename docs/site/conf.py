@@ -46,13 +46,15 @@ class RulesLexer(RegexLexer):
 
 
 class Interfaces:
-    """Where headers and functions stand in what Doxygen made."""
+    """Where headers, types and functions stand in what Doxygen made."""
 
     def __init__(self, tags):
-        self.headers, self.functions = {}, {}
+        self.headers, self.functions, self.types = {}, {}, {}
         if not tags.is_file():
             return
         for compound in ElementTree.parse(tags).getroot().iter("compound"):
+            if compound.get("kind") in ("struct", "class"):
+                self.types[compound.findtext("name")] = compound.findtext("filename")
             if compound.get("kind") != "file":
                 continue
             header = (Path(compound.findtext("path")) / compound.findtext("name")).relative_to(ROOT).as_posix()
@@ -67,6 +69,9 @@ class Interfaces:
         header = re.sub(r"\.(h|cpp)$", "", text) + ".h"
         return header if header in self.headers else None
 
+    def type(self, text):
+        return self.types.get(text)
+
     def function(self, text, header):
         """The address of a call: in the header that was named before it, or in the only one that has it."""
         found = self.functions.get(text[:-2].split("::")[-1], {}) if text.endswith("()") else {}
@@ -79,9 +84,10 @@ def link_code(app, doctree, docname):
     for literal in list(doctree.findall(nodes.literal)):
         if isinstance(literal.parent, nodes.reference):
             continue
-        header = app.interfaces.header(literal.astext())
+        text = literal.astext()
+        header = app.interfaces.header(text)
         last = header or last
-        address = app.interfaces.headers[header] if header else app.interfaces.function(literal.astext(), last)
+        address = app.interfaces.headers.get(header) or app.interfaces.type(text) or app.interfaces.function(text, last)
         if address:
             link = nodes.reference("", "", refuri=up + address, internal=True)
             literal.replace_self(link)
