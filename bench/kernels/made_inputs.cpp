@@ -45,8 +45,11 @@ std::string ornament_text(int elements) {
 
 std::string clutter_text(int elements) {
     constexpr double area_of_one = 50 * 50;
+    constexpr int in_a_round = 1000;  // about; a derivation goes no deeper than 100,000 steps
+    const int rounds = std::max(1, elements / in_a_round);
     std::string text = drawing_text("clutter.lsys");
-    define(text, "count", elements);
+    define(text, "rounds", rounds);
+    define(text, "count", elements / rounds);
     define(text, "side", static_cast<int>(std::sqrt(area_of_one * elements)));
     return text;
 }

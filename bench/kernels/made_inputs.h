@@ -16,7 +16,7 @@ std::string content_of(const std::string& file);
 
 /// bench/drawings/ornament.lsys with rows and columns for about `elements` elements: nested structure.
 std::string ornament_text(int elements);
-/// bench/drawings/clutter.lsys with so many elements, of one density at any number.
+/// bench/drawings/clutter.lsys with about so many elements, of one density at any number.
 std::string clutter_text(int elements);
 
 /// What the text of a grammar draws.

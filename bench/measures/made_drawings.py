@@ -8,6 +8,7 @@ from pathlib import Path
 DRAWINGS = Path(__file__).resolve().parent.parent / "drawings"
 IN_A_SPRIG = 4  # elements of ornament.lsys
 AREA_OF_ONE = 50 * 50  # of clutter.lsys
+IN_A_ROUND = 1000  # about; a derivation goes no deeper than 100,000 steps
 
 
 def with_definitions(text, values):
@@ -32,8 +33,9 @@ def grammar(kind, elements, folder):
         rows, columns = ornament_rows(elements)
         text, size = with_definitions(text, {"rows": rows, "columns": columns}), IN_A_SPRIG * rows * columns
     else:
-        side = math.isqrt(AREA_OF_ONE * elements)
-        text, size = with_definitions(text, {"count": elements, "side": side}), elements
+        rounds = max(1, elements // IN_A_ROUND)
+        values = {"rounds": rounds, "count": elements // rounds, "side": math.isqrt(AREA_OF_ONE * elements)}
+        text, size = with_definitions(text, values), rounds * (elements // rounds)
     file = Path(folder) / f"{kind}_{elements}.lsys"
     file.write_text(text)
     return file, size
