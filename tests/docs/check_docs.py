@@ -13,7 +13,8 @@ CHECKS = {"links": links.faults, "names": names.faults, "shown code": shown_code
 def main():
     root = Path(sys.argv[1]).resolve()
     found = [fault for check in CHECKS.values() for fault in check(root)]
-    print("\n".join(found))
+    if found:
+        print("\n".join(found))
     return 1 if found else 0
 
 
