@@ -31,8 +31,9 @@ std::vector<Path> rounded_paths(std::vector<Path> paths, double slack) {
 }
 
 double tidy_length(double value) {
-    // Six digits: a millionth of a stroke's width is never seen.
-    if (!(value > 0)) return value;
+    // Six digits: a millionth of a stroke's width is never seen, unless it is wider than any page.
+    constexpr double any_page = 10'000;
+    if (!(value > 0) || value > any_page) return value;
     const double unit = std::pow(10, std::floor(std::log10(value)) - 5);
     return decimal(value, unit);
 }

@@ -16,6 +16,7 @@
 #include "cli/verbs.h"
 #include "cli/weights_option.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "lsystem/grammar_text.h"
 #include "scene/svg_read.h"
 

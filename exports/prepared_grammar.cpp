@@ -94,6 +94,10 @@ bool has_contexts(const Grammar& grammar) {
 Export write_prepared(const Grammar& grammar, const ExportOptions& options, const std::string& format,
                       const std::function<Export(const PreparedGrammar&)>& write) {
     expect_outlines(grammar, format);
+    // What is wrong with a rule is told by deriving, be it not at all.
+    DeriveOptions axiom_only = options.derive;
+    axiom_only.depth = 0;
+    derive(grammar, axiom_only);
     try {
         return write(prepared_rules(grammar, options, format));
     } catch (const RulesLost& lost) {

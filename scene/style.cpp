@@ -10,6 +10,8 @@ namespace {
 
 // Half a step of the 256 levels of a channel.
 constexpr double share_tolerance = 1.0 / 512;
+// Of a length that is far larger than the tolerance: it was turned and scaled there and back.
+constexpr double rounding = 1e-12;
 
 Linear2 product(const Linear2& m, const Linear2& n) {
     return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b, m.a * n.c + m.c * n.d, m.b * n.c + m.d * n.d};
@@ -33,7 +35,7 @@ bool same_ellipse(const Linear2& m, const Linear2& n, double tolerance) {
     const Linear2 q = product(n, transposed(n));
     // Squares of lengths differ by twice the length times the difference.
     const double size = std::sqrt(std::max({p.a, p.d, q.a, q.d}));
-    const double allowed = 2 * size * tolerance;
+    const double allowed = 2 * size * std::max(tolerance, rounding * size);
     return near(p.a, q.a, allowed) && near(p.b, q.b, allowed) && near(p.d, q.d, allowed);
 }
 
@@ -82,9 +84,9 @@ bool same_paint(const Paint& a, const Paint& b, double tolerance) {
 
 bool same_dashes(const Stroke& a, const Stroke& b, double tolerance) {
     if (a.dashes.empty() && b.dashes.empty()) return true;
-    return near(a.dash_offset, b.dash_offset, tolerance) &&
-           std::equal(a.dashes.begin(), a.dashes.end(), b.dashes.begin(), b.dashes.end(),
-                      [&](double s, double t) { return near(s, t, tolerance); });
+    const auto same = [&](double s, double t) { return near(s, t, std::max(tolerance, rounding * std::abs(s))); };
+    return same(a.dash_offset, b.dash_offset) &&
+           std::equal(a.dashes.begin(), a.dashes.end(), b.dashes.begin(), b.dashes.end(), same);
 }
 
 bool same_outline_stroke(const Stroke& a, const Stroke& b, double tolerance) {

@@ -95,8 +95,8 @@ bool paints_stroke(const Style& style);
 Style transformed(const Style& style, const Similarity& map);
 
 /// Same picture? Compares what is painted only (a stroke without paint has no width), numbers within `tolerance`
-/// relative to the frame's unit length (opacities and offsets within 1/512), colours exactly. In this frame: whether a
-/// stroke is fixed does not count.
+/// relative to the frame's unit length, those of pens and dashes also to rounding (opacities and offsets within 1/512),
+/// colours exactly. In this frame: whether a stroke is fixed does not count.
 bool same_style(const Style& a, const Style& b, double tolerance);
 
 }  // namespace rinceau

@@ -67,13 +67,14 @@ struct ShapeDerivation::State {
     }
 
     bool done() const { return !limit.empty() || (interpreter->queue().is_empty() && next_axiom == compiled.axioms.size()); }
-    void begin_axiom();
+    /// `start`: of the step that it is a part of.
+    void begin_axiom(std::chrono::steady_clock::time_point start);
     bool within_bounds(std::chrono::steady_clock::duration time);
     void stop(const std::string& reached, const std::string& cure);
     double share_done() const;
 };
 
-void ShapeDerivation::State::begin_axiom() {
+void ShapeDerivation::State::begin_axiom(std::chrono::steady_clock::time_point start) {
     const auto index = next_axiom++;
     const CompiledShapeAxiom& axiom = compiled.axioms[index];
     const FieldOnSurface* field = nullptr;
@@ -86,7 +87,7 @@ void ShapeDerivation::State::begin_axiom() {
         scope.at = place.at;
         scope.x = place.x;
         interpreter->begin(axiom, scope, key_of_child(key, number++));
-        if (!within_bounds({})) return;
+        if (!within_bounds(std::chrono::steady_clock::now() - start)) return;
     }
 }
 
@@ -143,7 +144,7 @@ void ShapeDerivation::step(long rules, const Progress& progress) {
     Clock::time_point last_look = start;
     for (long taken = 0; !state.done() && rules_applied() < end; ++taken) {
         if (state.interpreter->queue().is_empty()) {
-            state.begin_axiom();
+            state.begin_axiom(start);
         } else {
             state.interpreter->apply_next();
         }

@@ -37,3 +37,7 @@ TEST_CASE("What Houdini has no counterpart of is written out, and the note says 
     CHECK(result.notes.front() ==
           "The rules are not kept, every element is placed by itself: Houdini has no counterpart of sin(m).");
 }
+
+TEST_CASE("A command without its argument is refused") {
+    CHECK_THROWS_WITH(houdini_of("axiom: P(3)\nP(m) : m > 0 -> A * P(m-1)\n" + stroke), Contains("expected 1 argument"));
+}

@@ -8,12 +8,16 @@
 namespace rinceau {
 namespace {
 
-/// Few elements with few points: what an analysis takes no time for.
+/// Few elements with few points, which an analysis takes no time for, and none of them much larger than the page: numbers
+/// are kept to the digits that show there.
 bool is_small(const Scene& scene) {
     constexpr std::size_t most_elements = 40, most_segments = 600;
+    const double most_reach = 100 * drawing_diagonal(scene);
     std::size_t segments = 0;
-    for (const Element& element : scene.elements)
+    for (const Element& element : scene.elements) {
+        if (diagonal(painted_box(element)) > most_reach) return false;
         for (const Path& path : element.paths) segments += path.segments.size() + 1;
+    }
     return scene.elements.size() <= most_elements && segments <= most_segments;
 }
 

@@ -9,9 +9,11 @@
 namespace rinceau {
 namespace {
 
-/// Strokes that were stretched come back to rounding only.
+/// Strokes that were stretched come back to rounding only, also in fragments.
 bool has_round_pens(const Scene& scene) {
-    return std::ranges::all_of(scene.elements, [](const Element& element) { return element.style.stroke.pen == Linear2{}; });
+    return std::ranges::all_of(scene.elements, [](const Element& element) {
+        return element.style.stroke.pen == Linear2{} && element.verbatim.find("transform=") == std::string::npos;
+    });
 }
 
 }  // namespace

@@ -103,3 +103,12 @@ TEST_CASE("the painted box holds the stroke, with mitres only where there are co
     element.style.stroke.paint = NoPaint{};
     CHECK(painted_box(element) == Box{{0, 0}, {10, 1}});
 }
+
+TEST_CASE("a style carried there and back is the same also where its lengths are far beyond the tolerance") {
+    Style style = rich_style();
+    style.stroke.width = 1e12;
+    style.stroke.dashes = {1e99, 6};
+    const Similarity g{polar(1.3, 0.7), {5, 3}, false};
+    CHECK(same_style(transformed(transformed(style, g), inverse(g)), style, 1e-3));
+    CHECK_FALSE(same_style(transformed(style, Similarity{polar(1 + 1e-9, 0), {}, false}), style, 1e-3));
+}

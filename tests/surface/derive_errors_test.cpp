@@ -55,3 +55,13 @@ TEST_CASE("a condition that never holds ends a branch without a word") {
     CHECK(pattern.complete);
     CHECK(pattern.placed.empty());
 }
+
+TEST_CASE("the limit of seconds holds while axioms are placed, too") {
+    ShapeDerivationOptions options;
+    options.max_seconds = 0.01;  // one walk as long as this takes more
+    const SurfacePattern pattern =
+        grown("shape a = box\naxiom scatter 400 T(1e12) I(\"a\")\n", bare_world(torus_triangles(24, 12, 2, 0.7)), options);
+    CHECK_FALSE(pattern.complete);
+    CHECK(holds(pattern.limit, "seconds"));
+    CHECK(count_of(pattern, "a") < 400);
+}
