@@ -4,10 +4,11 @@ import sys
 from pathlib import Path
 
 import links
+import listed
 import names
 import shown_code
 
-CHECKS = {"links": links.faults, "names": names.faults, "shown code": shown_code.faults}
+CHECKS = {"links": links.faults, "names": names.faults, "listed": listed.faults, "shown code": shown_code.faults}
 
 
 def main():
