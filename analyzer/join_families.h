@@ -1,5 +1,5 @@
 #pragma once
-// Count families (docs/analysis.md, 4.10): rows of one rule whose counts progress – triangles, pyramids, bowling pins – are
+// Count families (docs/analysis.md, 4.9): rows of one rule whose counts progress – triangles, pyramids, bowling pins – are
 // one rule over that rule.
 
 #include "analyzer/search_state.h"

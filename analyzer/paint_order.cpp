@@ -310,7 +310,7 @@ LayeredGrammar layered(const Problem& problem) {
         Grammar ordered = written(problem, plan);
         if (paints_in_order(ordered, problem)) return {std::move(ordered), plan.cost};
     }
-    assert(!"a leaf can always be raised by an exception of its own");
+    assert(false && "a leaf can always be raised by an exception of its own");
     return {problem.grammar, 0};
 }
 

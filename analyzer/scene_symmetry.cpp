@@ -107,7 +107,7 @@ std::vector<std::vector<int>> orbits_of(const Drawing& drawing, const PointGroup
 
 /// Centre and axis that fit the orbits best: as good as the drawing's numbers.
 PointGroup refined(const SearchState& state, PointGroup group, const std::vector<std::vector<int>>& orbits) {
-    Point mean, image_mean;
+    Point mean;
     double count = 0;
     for (const std::vector<int>& orbit : orbits) {
         for (const int item : orbit) mean += state.item(item).pose.translation;

@@ -16,6 +16,7 @@
 #include "cli/verbs.h"
 #include "cli/weights_option.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "lsystem/grammar_text.h"
 #include "scene/svg_read.h"
 
@@ -158,7 +159,7 @@ void add_analyze(CLI::App& program, Job& job) {
     verb->add_option(
             "--report", options->reports,
             "Where to write what was found (.json, as docs/report.schema.json says); of many drawings: a table (.csv, "
-            ".json, as docs/batch_report.schema.json says) or a contact sheet in the folder (.html), or several of these")
+            ".json, as docs/batch_report.schema.json says) or a contact sheet in the folder (.html); given again for each of several")
         ->allow_extra_args(false)
         ->take_all()
         ->type_name("FILE");

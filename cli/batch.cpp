@@ -115,6 +115,8 @@ BatchRow row_of_end(const ProcessEnd& end, const std::string& input, const Proce
         return {.status = BatchStatus::limit_reached,
                 .message = input + ": not done after " + number_text(limits.seconds) +
                            " s, the most that is given to one drawing (--seconds-per-file)"};
+    if (end.status == exit_status::limit_reached)  // last_words.h
+        return {.status = BatchStatus::limit_reached, .message = input + ": the memory does not suffice"};
     const std::string reason =
         end.signal == 0 ? "ended without a result" : std::string("ended by the signal ") + ::strsignal(end.signal);
     return {.status = BatchStatus::crashed, .message = input + ": the analysis was " + reason};

@@ -147,6 +147,7 @@ class Processes {
         while (::waitpid(process.id, &status, 0) < 0 && errno == EINTR) {
         }
         process.end.seconds = std::chrono::duration<double>(Clock::now() - process.start).count();
+        if (WIFEXITED(status)) process.end.status = WEXITSTATUS(status);
         if (WIFSIGNALED(status)) process.end.signal = WTERMSIG(status);
         return std::move(process.end);
     }

@@ -20,6 +20,7 @@ struct ProcessOptions {
 struct ProcessEnd {
     std::size_t piece = 0;
     std::string output;      ///< what its work returned, if it came to its end
+    int status = 0;          ///< its exit status
     int signal = 0;          ///< that ended the process, or 0
     bool timed_out = false;  ///< it was ended because it took too long
     double seconds = 0;      ///< that it took

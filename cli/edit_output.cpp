@@ -6,6 +6,7 @@
 
 #include "cli/derive_options.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "cli/messages.h"
 #include "cli/progress_bar.h"
 #include "lsystem/check_edit.h"

@@ -5,6 +5,7 @@
 #include "cli/derive_options.h"
 #include "cli/exit_status.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
 #include "exports/export_formats.h"

@@ -5,6 +5,7 @@
 
 #include "cli/number_range.h"
 #include "files/files.h"
+#include "files/output_file.h"
 
 namespace rinceau {
 namespace {

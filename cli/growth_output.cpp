@@ -7,6 +7,7 @@
 
 #include "exports/json_grammar.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/to_scene.h"
 #include "scene/svg_raster.h"

@@ -1,8 +1,10 @@
 // rinceau: every core function from the command line.
 
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -11,9 +13,12 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/exit_status.h"
+#include "cli/last_words.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
 #include "files/output_error.h"
+#include "files/signals_held.h"
+#include "files/standard_streams.h"
 #include "scene/input_error.h"
 
 namespace {
@@ -26,7 +31,9 @@ int parse_and_run(CLI::App& program, const Job& job, std::vector<std::string> wo
         program.parse(std::move(words));
         return job();
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? exit_status::done : exit_status::command_line_at_fault;
+        if (program.exit(error) != 0) return exit_status::command_line_at_fault;
+        if (!std::cout.flush()) fail_output("<stdout>", errno);
+        return exit_status::done;
     }
 }
 
@@ -37,7 +44,8 @@ void describe(CLI::App& program) {
     program.set_version_flag("--version", "rinceau " RINCEAU_VERSION);
     program.footer(
         "Exit status: 0 done, 1 the input is at fault, 2 the command line is at fault, 3 a limit was reached,\n"
-        "             4 an output could not be written, 5 some of many drawings failed.\n"
+        "             4 an output could not be written, 5 some of many drawings failed,\n"
+        "             70 the program itself is at fault.\n"
         "Example:\n"
         "  rinceau analyze samples/facade.svg\n"
         "'rinceau VERB --help' tells about a verb.");
@@ -56,9 +64,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
     return words;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     CLI::App program("", "rinceau");
     Job job;
     describe(program);
@@ -80,8 +86,17 @@ int main(int argc, char** argv) {
     add_inkscape(program, job);
     add_man(program, job);
     add_completion(program, job);
+    return parse_and_run(program, job, words_of(argc, argv));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    open_standard_streams();
+    tell_when_memory_ends();
+    const bool ends_at_broken_pipe = let_writes_fail();
     try {
-        return parse_and_run(program, job, words_of(argc, argv));
+        return run(argc, argv);
     } catch (const InputError& error) {
         say(error.what());
         return exit_status::input_at_fault;
@@ -89,13 +104,17 @@ int main(int argc, char** argv) {
         say(error.what());
         return exit_status::limit_reached;
     } catch (const std::bad_alloc&) {
-        say("rinceau: the memory does not suffice");
+        say_memory_does_not_suffice();
         return exit_status::limit_reached;
     } catch (const std::length_error&) {
-        say("rinceau: the memory does not suffice");
+        say_memory_does_not_suffice();
         return exit_status::limit_reached;
     } catch (const OutputError& error) {
+        if (error.code() == EPIPE && ends_at_broken_pipe) end_at_broken_pipe();
         say(error.what());
         return exit_status::output_not_written;
+    } catch (const std::exception& error) {
+        say(std::string("rinceau: the program itself is at fault, please report it: ") + error.what());
+        return exit_status::program_at_fault;
     }
 }

@@ -2,6 +2,7 @@
 
 #include "cli/exit_status.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "cli/messages.h"
 #include "cli/verbs.h"
 #include "scene/svg_read.h"

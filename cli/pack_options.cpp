@@ -6,6 +6,7 @@
 
 #include "cli/named_values.h"
 #include "cli/number_range.h"
+#include "files/output_file.h"
 #include "geometry/angle.h"
 
 namespace rinceau {

@@ -31,6 +31,7 @@ std::string cfdg_head(const Grammar& grammar, const std::string& start, double m
     std::string text;
     const auto comment = [&](const std::string& lines) {
         std::istringstream stream(lines);
+        stream.exceptions(std::ios::badbit);  // a lack of memory passes
         for (std::string line; std::getline(stream, line);) text += "// " + line + '\n';
     };
     comment(grammar.title);

@@ -64,6 +64,7 @@ class ModuleWriter {
 
     static void append_comments(std::string& text, const std::string& lines) {
         std::istringstream stream(lines);
+        stream.exceptions(std::ios::badbit);  // a lack of memory passes
         for (std::string line; std::getline(stream, line);) text += "// " + line + '\n';
     }
 

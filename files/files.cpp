@@ -106,14 +106,6 @@ void write_output(const std::string& name, std::string_view bytes, const std::st
     file.finish();
 }
 
-void expect_writable(const std::string& name) {
-    if (is_standard_stream(name)) return;
-    std::error_code ignored;
-    if (std::filesystem::is_directory(name, ignored)) fail_output(name, EISDIR);
-    const auto folder = std::filesystem::path(name).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) fail_output(name, ENOENT);
-}
-
 FileFormat format_of(const std::string& name, FileFormat standard_output) {
     if (is_standard_stream(name)) return standard_output;
     std::string ending = std::filesystem::path(name).extension().string();

@@ -41,9 +41,6 @@ void write_output(const std::string& name, std::string_view bytes);
 /// The same, written in `work_folder` and renamed.
 void write_output(const std::string& name, std::string_view bytes, const std::string& work_folder);
 
-/// Throws OutputError if it is plain beforehand that `name` cannot be written: its folder is missing or it is a folder.
-void expect_writable(const std::string& name);
-
 enum class FileFormat : unsigned char { unknown, svg, png, pdf, lsys, json, csv, obj, glb, ply, html };
 
 /// By the ending of the name, in any case of letters; `standard_output` for "" and "-".

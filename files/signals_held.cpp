@@ -1,5 +1,7 @@
 #include "files/signals_held.h"
 
+#include <unistd.h>
+
 #include <array>
 
 namespace rinceau {
@@ -26,6 +28,18 @@ bool SignalsHeld::waiting() const {
         if (action.sa_handler != SIG_IGN) return true;
     }
     return false;
+}
+
+bool let_writes_fail() {
+    ::signal(SIGXFSZ, SIG_IGN);
+    return ::signal(SIGPIPE, SIG_IGN) == SIG_DFL;
+}
+
+void end_at_broken_pipe() {
+    constexpr int as_shells_say_it = 128 + SIGPIPE;  // if the signal is blocked
+    ::signal(SIGPIPE, SIG_DFL);
+    ::raise(SIGPIPE);
+    ::_exit(as_shells_say_it);
 }
 
 }  // namespace rinceau

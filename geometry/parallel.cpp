@@ -5,7 +5,9 @@
 #include <chrono>
 #include <exception>
 #include <future>
+#include <new>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -39,8 +41,13 @@ void share_out(std::size_t count, int threads, const Work& own_work, const Work&
         }
     };
     std::vector<std::future<void>> others;
-    for (std::size_t t = 1; t < together; ++t)
-        others.push_back(std::async(std::launch::async, [&] { work_on(other_work); }));
+    try {
+        for (std::size_t t = 1; t < together; ++t)
+            others.push_back(std::async(std::launch::async, [&] { work_on(other_work); }));
+    } catch (const std::system_error&) {
+        // as many threads as the system gives
+    } catch (const std::bad_alloc&) {
+    }
     std::exception_ptr failed;
     const auto finish = [&](const auto& rest) {
         try {

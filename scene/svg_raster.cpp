@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <new>
 
 #include "scene/input_error.h"
 
@@ -74,12 +75,19 @@ void render(RsvgHandle* handle, cairo_surface_t* surface, Size size) {
     if (!rsvg_handle_render_document(handle, context.get(), &viewport, &error)) refuse(error);
 }
 
-cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned int count) {
-    static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(bytes), count);
-    return CAIRO_STATUS_SUCCESS;
+// Exceptions do not pass through cairo.
+cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned int count) noexcept {
+    try {
+        static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(bytes), count);
+        return CAIRO_STATUS_SUCCESS;
+    } catch (const std::bad_alloc&) {
+        return CAIRO_STATUS_NO_MEMORY;
+    }
 }
 
 void require_success(cairo_status_t status) {
+    if (status == CAIRO_STATUS_NO_MEMORY)
+        throw LimitError({}, "the memory does not suffice for the picture; ask for a smaller width");
     if (status != CAIRO_STATUS_SUCCESS) throw LimitError({}, std::string("no picture: ") + cairo_status_to_string(status));
 }
 

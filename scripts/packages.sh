@@ -11,17 +11,25 @@ build_packages=(g++ cmake ninja-build pkg-config
 test_packages=(catch2 libbullet-dev librsvg2-bin python3 python3-numpy python3-pil python3-jsonschema
     contextfree inkscape xvfb xauth xdotool imagemagick libgl1-mesa-dri groff-base man-db)
 fuzz_packages=(clang libclang-rt-14-dev llvm)  # on top of what it takes to build
-# node and npm often come from elsewhere.
-command -v node >/dev/null || test_packages+=(nodejs)
-command -v npm >/dev/null || test_packages+=(npm)
 
 # On top of those of the tests: for the sanitizers, for the lines that run, for clang-tidy.
 sanitize_packages=(clang libclang-rt-14-dev llvm)
 coverage_packages=(gcovr)
 tidy_packages=(clang clang-tidy git)
 
+# For the benchmarks (docs/benchmarks.md), on top of what it takes to build: Google Benchmark, and programs to compare with.
+bench_packages=(libbenchmark-dev python3 contextfree inkscape python3-lxml python3-cssselect scour librsvg2-bin)
+
+# node and npm often come from elsewhere.
+for program in node:nodejs npm:npm; do
+    command -v "${program%:*}" >/dev/null || { test_packages+=("${program#*:}"); bench_packages+=("${program#*:}"); }
+done
+
 # To make packages for Debian and to test them, on top of what a build needs.
 package_packages=(dpkg-dev fakeroot file lintian desktop-file-utils shared-mime-info appstream python3)
+
+# To make the site of the pages, alone.
+docs_packages=(doxygen python3 python3-sphinx python3-myst-parser furo)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -1,6 +1,5 @@
 #include "editor/effects/write_document.h"
 
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -39,18 +38,9 @@ std::vector<std::string> use_warnings(const WriteDocument& request) {
     return warnings;
 }
 
-}  // namespace
+std::string still_open(const std::string& message) { return message + ". The document stays open, unsaved"; }
 
-std::string with_cure(const std::string& message) {
-    const auto is = [&](int error) { return message.find(std::strerror(error)) != std::string::npos; };
-    if (is(ENOSPC)) return message + ". Make room on the disk, or save elsewhere; the document stays open, unsaved";
-    if (is(EDQUOT) || is(EFBIG)) return message + ". Save elsewhere; the document stays open, unsaved";
-    if (is(EACCES) || is(EPERM) || is(EROFS))
-        return message + ". Save under another name or in another folder; the document stays open, unsaved";
-    if (is(ENOENT) || is(ENOTDIR))
-        return message + ". Its folder is gone: save in another folder; the document stays open, unsaved";
-    return message + ". The document stays open, unsaved";
-}
+}  // namespace
 
 FileAction write_document(const WriteDocument& request) {
     try {
@@ -62,9 +52,9 @@ FileAction write_document(const WriteDocument& request) {
         return FileSaved{request.path, request.document, stamp_of(request.path),
                          grammar_alone ? use_warnings(request) : std::vector<std::string>()};
     } catch (const std::bad_alloc&) {
-        return SaveFailed{request.path, with_cure(request.path + ": the memory does not suffice")};
+        return SaveFailed{request.path, still_open(request.path + ": the memory does not suffice")};
     } catch (const std::exception& error) {
-        return SaveFailed{request.path, with_cure(error.what())};
+        return SaveFailed{request.path, still_open(error.what())};
     }
 }
 

@@ -7,11 +7,8 @@
 namespace rinceau {
 
 /// Writes the document as the kind of file that its name says: a grammar as text or JSON, or a project. The file is whole
-/// before and afterwards. The answer is FileSaved, SaveFailed with the cure, WouldReplace or FileChangedOutside. Never
+/// before and afterwards. The answer is FileSaved, SaveFailed with what to do, WouldReplace or FileChangedOutside. Never
 /// throws.
 FileAction write_document(const WriteDocument& request);
-
-/// The reason why something could not be written, with what to do about it.
-std::string with_cure(const std::string& message);
 
 }  // namespace rinceau

@@ -6,6 +6,7 @@
 #include "editor/model/export_target.h"
 #include "exports/export_formats.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "lsystem/to_scene.h"
 #include "scene/svg_raster.h"
 

@@ -2,15 +2,20 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
+#include <new>
 #include <regex>
 #include <string>
 
 #include "editor/main/picture_file.h"
 #include "editor/main/session.h"
+#include "files/signals_held.h"
+#include "files/standard_streams.h"
 
 namespace {
 
 constexpr int command_line_at_fault = 2;
+constexpr int limit_reached = 3;
 constexpr int largest_side = 16384;  // that OpenGL draws everywhere
 constexpr int smallest_side = 16;
 
@@ -29,6 +34,8 @@ std::string read_size(const std::string& text, rinceau::EditorOptions& options) 
 }  // namespace
 
 int main(int argc, char** argv) {
+    rinceau::open_standard_streams();
+    rinceau::let_writes_fail();
     CLI::App program("The editor: a drawing and its rules, side by side", "rinceau edit");
     rinceau::EditorOptions options;
     constexpr float least_scale = 0.5F;
@@ -57,6 +64,11 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : command_line_at_fault;
     }
-    if (!options.picture.empty()) return rinceau::write_picture_file(options);
-    return rinceau::run_editor(options);
+    try {
+        if (!options.picture.empty()) return rinceau::write_picture_file(options);
+        return rinceau::run_editor(options);
+    } catch (const std::bad_alloc&) {
+        std::fputs("rinceau edit: the memory does not suffice; what was not saved is offered at the next start\n", stderr);
+        return limit_reached;
+    }
 }

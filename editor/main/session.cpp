@@ -33,6 +33,7 @@
 #include "editor/panels/panel.h"
 #include "editor/panels/theme.h"
 #include "files/files.h"
+#include "files/output_file.h"
 #include "files/output_error.h"
 #include "scene/input_error.h"
 #include "scene/svg_raster.h"

@@ -129,6 +129,7 @@ class Glb {
 
     std::string bytes() {
         std::ostringstream stream;
+        stream.exceptions(std::ios::badbit);  // a lack of memory passes, instead of the end of the file
         tinygltf::TinyGLTF writer;
         if (!writer.WriteGltfSceneToStream(&model_, stream, false, true)) throw LimitError({}, "the .glb could not be made");
         return std::move(stream).str();

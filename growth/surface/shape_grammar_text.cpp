@@ -8,8 +8,6 @@ namespace rinceau {
 
 namespace {
 
-constexpr std::size_t line_width = 110;
-
 std::string group_text(const ShapeCommand& command, std::string_view word) {
     std::string text(word);
     text += '{';

@@ -1,3 +1,6 @@
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <csignal>
 
 #include <catch2/catch.hpp>
@@ -74,6 +77,43 @@ TEST_CASE("An output that is a symbolic link stays one") {
     REQUIRE(run_rinceau({"render", sample("rosette.lsys"), "-o", scratch.file("link.svg")}).status == 0);
     CHECK(fs::is_symlink(scratch.path() / "link.svg"));
     CHECK(read_file(scratch.path() / "real" / "picture.svg").find("<svg") != std::string::npos);
+}
+
+TEST_CASE("An output by a link that leads to no file yet makes that file, and the link stays one") {
+    const ScratchFolder scratch;
+    fs::create_directory(scratch.path() / "real");
+    fs::create_symlink("real/picture.svg", scratch.path() / "one.svg");
+    fs::create_symlink("one.svg", scratch.path() / "link.svg");
+    REQUIRE(run_rinceau({"render", sample("rosette.lsys"), "-o", scratch.file("link.svg")}).status == 0);
+    CHECK(fs::is_symlink(scratch.path() / "link.svg"));
+    CHECK(fs::is_symlink(scratch.path() / "one.svg"));
+    CHECK(read_file(scratch.path() / "real" / "picture.svg").find("<svg") != std::string::npos);
+    fs::create_symlink("round.svg", scratch.path() / "round.svg");
+    CHECK(run_rinceau({"render", sample("rosette.lsys"), "-o", scratch.file("round.svg")}).status == 4);
+}
+
+TEST_CASE("An output with a second name is replaced under its own alone") {
+    const ScratchFolder scratch;
+    write_file(scratch.path() / "picture.svg", "old");
+    fs::create_hard_link(scratch.path() / "picture.svg", scratch.path() / "kept.svg");
+    REQUIRE(run_rinceau({"render", sample("rosette.lsys"), "-o", scratch.file("picture.svg")}).status == 0);
+    CHECK(read_file(scratch.path() / "kept.svg") == "old");
+    CHECK(read_file(scratch.path() / "picture.svg").find("<svg") != std::string::npos);
+}
+
+TEST_CASE("An output that root writes still belongs to whom it did") {
+    if (::geteuid() != 0) return;  // nobody else can give files away
+    constexpr uid_t somebody = 12345;
+    const ScratchFolder scratch;
+    const std::string name = scratch.file("picture.svg");
+    write_file(name, "old");
+    REQUIRE(::chown(name.c_str(), somebody, somebody + 1) == 0);
+    REQUIRE(run_rinceau({"render", sample("rosette.lsys"), "-o", name}).status == 0);
+    struct stat status {};
+    REQUIRE(::stat(name.c_str(), &status) == 0);
+    CHECK(status.st_uid == somebody);
+    CHECK(status.st_gid == somebody + 1);
+    CHECK(read_file(name).find("<svg") != std::string::npos);
 }
 
 TEST_CASE("An output that cannot be written gives status 4 before any work and is not harmed") {

@@ -1,14 +1,16 @@
 """Files, functions, types and options that pages about the code name: do they exist?
 
-Looked at is what stands between backquotes in the pages below. A path must be a file or a folder, or be one with .h, .cpp or .py behind
-it. A word must be the name of a source or occur in the code. An option must occur in the code. A call, `fitted()`, must occur in a
-file that is named in the same cell of a table, or on the same line, if there is any. What is none of these is not looked at.
+Looked at is what stands between backquotes in the pages below. A path, from the root or from the page's folder, must be a file or a
+folder, or be one with .h, .cpp or .py behind it. A word must be the name of a source or occur in the code. An option must occur in the
+code. A call, `fitted()`, must occur in a file that is named in the same cell of a table, or on the same line, if there is any. What is
+none of these is not looked at.
 """
 import re
 
 from pages import code_spans, page_paths, read_page, tree_paths
 
-PAGES = re.compile(r"^docs/(architecture\.md|papers/.*|how_to/.*)$")
+PAGES = re.compile(r"^docs/((architecture|analysis|growth|fields|shape_grammars|exports|editor)\.md|papers/.*|how_to/.*)$"
+                   r"|^(growth|editor)/README\.md$|^scene/NORMAL_FORM\.md$")
 SOURCE = re.compile(r"^.*(\.(h|cpp|py|sh|cmake|json|in)|CMakeLists\.txt)$")
 ENDINGS = ("", ".h", ".cpp", ".py")
 PATH = re.compile(r"^[A-Za-z0-9_.\-]+(/[A-Za-z0-9_.\-]+)+/?$|^[a-z_]+/$|^[A-Za-z0-9_\-]+\.(h|cpp|py|sh|md|txt|json|cmake)$")
@@ -37,27 +39,28 @@ class Tree:
         stem = re.sub(r"\.(h|cpp)$", "", name)
         return [file for file in self.text if file in (name, stem + ".h", stem + ".cpp", name + ".py")]
 
-    def has_path(self, name):
+    def has_path(self, name, folder):
+        """Seen from the root or from the folder of the page."""
         if "/" not in name.rstrip("/") and not name.endswith("/"):
             return any(file.rsplit("/", 1)[-1] == name for file in self.text) or (self.root / name).exists()
-        return any((self.root / (name + ending)).exists() for ending in ENDINGS)
+        return any((place / (name + ending)).exists() for place in (self.root, folder) for ending in ENDINGS)
 
     def has_option(self, option):
         quoted = re.compile(re.escape(option) + r"(?![a-z\-])")
-        return any(quoted.search(text) for name, text in self.text.items() if not name.startswith("tests/"))
+        return any(quoted.search(text) for text in self.text.values())
 
 
 def cells(line):
     return re.split(r"(?<!\\)\|", line) if line.startswith("|") else [line]
 
 
-def faults_of_cell(tree, cell):
+def faults_of_cell(tree, cell, folder):
     files = [file for span in code_spans(cell) if PATH.match(span) for file in tree.files(span)]
     for span in code_spans(cell):
         call = CALL.match(span)
         option = OPTION.match(span)
         if PATH.match(span):
-            if not tree.has_path(span):
+            if not tree.has_path(span, folder):
                 yield f"there is no {span}"
         elif call:
             name = span[:-2].split("::")[-1]
@@ -80,5 +83,5 @@ def faults(root):
             continue
         for number, line in read_page(path).lines:
             for cell in cells(line):
-                for fault in faults_of_cell(tree, cell):
+                for fault in faults_of_cell(tree, cell, path.parent):
                     yield f"{name}:{number}: {fault}"

@@ -1,10 +1,12 @@
 // Opening, saving and exporting with the real files.
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
 
+#include "files/signals_held.h"
 #include "lsystem/grammar_text.h"
 #include "tests/editor/editor_desk.h"
 
@@ -36,6 +38,25 @@ class PlainUser {
 
   private:
     bool changed_ = false;
+};
+
+/// While it lives, files may not become larger than a few bytes.
+class SmallFiles {
+  public:
+    SmallFiles() {
+        let_writes_fail();
+        constexpr rlim_t few_bytes = 10;
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = few_bytes;
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    SmallFiles(const SmallFiles&) = delete;
+    SmallFiles& operator=(const SmallFiles&) = delete;
+    ~SmallFiles() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+  private:
+    rlimit before_{};
 };
 
 }  // namespace
@@ -78,20 +99,29 @@ TEST_CASE("what cannot be saved is told with a cure, and the document stays unsa
     };
     SECTION("a full disk") {
         std::filesystem::create_symlink("/dev/full", folder / "full.lsys");
-        fails(folder / "full.lsys", "Make room on the disk");
+        fails(folder / "full.lsys", "make room on the disk");
     }
-    SECTION("a folder that is gone") { fails(folder / "gone/border.lsys", "Its folder is gone"); }
+    SECTION("a file that would become larger than is allowed") {
+        put(folder / "old.lsys", "old");
+        {
+            const SmallFiles small;
+            fails(folder / "old.lsys", "files as large as this one are not allowed here");
+        }
+        CHECK(read_input(folder / "old.lsys") == "old");
+        CHECK(std::distance(std::filesystem::directory_iterator(folder.name()), {}) == 1);
+    }
+    SECTION("a folder that is gone") { fails(folder / "gone/border.lsys", "make its folder first"); }
     SECTION("a file in the place of the folder") {
         put(folder / "file", "");
-        fails(folder / "file/border.rinceau", "save in another folder");
+        fails(folder / "file/border.rinceau", "write in another folder");
     }
     SECTION("a folder that may not be written, with the old file in it") {
         put(folder / "old.lsys", "old");
         ::chmod(folder.name().c_str(), S_IRUSR | S_IXUSR | S_IROTH | S_IXOTH);
         {
             const PlainUser user;
-            fails(folder / "old.lsys", "Save under another name or in another folder");
-            fails(folder / "new.lsys", "Save under another name or in another folder");
+            fails(folder / "old.lsys", "write under another name or in another folder");
+            fails(folder / "new.lsys", "write under another name or in another folder");
         }
         ::chmod(folder.name().c_str(), S_IRWXU);
         CHECK(read_input(folder / "old.lsys") == "old");

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../editor/hidden_window.h"
+#include "tests/editor/hidden_window.h"
 #include "editor/gl/draw_plan.h"
 #include "editor/gl/picture_renderer.h"
 #include "editor/gl/plan_drawer.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../surface/surface_shapes.h"
+#include "tests/surface/surface_shapes.h"
 #include "growth/mesh/mesh_glb_write.h"
 #include "growth/surface/derive_shapes.h"
 #include "growth/surface/parse_shape_grammar.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "../surface/surface_shapes.h"
+#include "tests/surface/surface_shapes.h"
 #include "growth/surface/curvature_field.h"
 #include "growth/surface/field_smooth.h"
 #include "surface_bench.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../surface/surface_shapes.h"
+#include "tests/surface/surface_shapes.h"
 #include "growth/surface/polar_map.h"
 #include "surface_bench.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../surface/surface_shapes.h"
+#include "tests/surface/surface_shapes.h"
 #include "growth/surface/curvature_field.h"
 #include "growth/surface/field_elements.h"
 #include "growth/surface/field_smooth.h"

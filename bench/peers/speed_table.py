@@ -3,7 +3,7 @@
 
     npm install --prefix build/peers lindenmayer
     apt-get install contextfree
-    tests/bench/speed_table.py build
+    bench/peers/speed_table.py build
 
 Modules are counted in the string of F + - [ ] that the drawing has as an L-system, for every program. Seconds are the
 processor's, the least of several runs; memory is the largest resident set of the process.
@@ -20,7 +20,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent / "speed"
+HERE = Path(__file__).resolve().parent
 DRAWINGS = {"koch": "Koch's snowflake, depth 10", "tree": "a branching weed, depth 9"}
 SAME_SUM = 1e-9  # relative: sums of millions of rounded coordinates
 
@@ -35,7 +35,7 @@ def json_of(command):
 
 
 def ours(build, mode, drawing):
-    return json_of([build / "tests/bench/interpreter_bench", mode, HERE / f"{drawing}.lsys"])
+    return json_of([build / "bench/peers/interpreter_bench", mode, HERE / f"{drawing}.lsys"])
 
 
 def lindenmayer(package, drawing):
@@ -102,18 +102,18 @@ def modules_of(name):
     return int(re.search(r"([\d,]+) modules", (HERE / f"{name}.lsys").read_text()).group(1).replace(",", ""))
 
 
-def print_table(name, title, rows):
+def text_of(name, title, rows):
     modules = modules_of(name)
     for program, result, _ in rows:
         if result.get("modules", modules) != modules:
             sys.exit(f"{program} derives {result['modules']} modules, expected {modules}")
     least = rows[0][2]
-    print(f"\n{title}: {modules:,} modules, {rows[0][1]['lines']:,} lines\n")
-    print("| program | seconds | million modules a second | times ours | peak MiB |")
-    print("|---|--:|--:|--:|--:|")
+    lines = [f"{title}: {modules:,} modules, {rows[0][1]['lines']:,} lines", "",
+             "| program | seconds | million modules a second | times ours | peak MiB |", "|---|--:|--:|--:|--:|"]
     for program, result, seconds in rows:
-        print(f"| {program} | {seconds:.2f} | {modules / seconds / 1e6:.1f} | {seconds / least:.1f} "
-              f"| {result['peak_kib'] / 1024:.0f} |")
+        lines.append(f"| {program} | {seconds:.2f} | {modules / seconds / 1e6:.1f} | {seconds / least:.1f} "
+                     f"| {result['peak_kib'] / 1024:.0f} |")
+    return "\n".join(lines)
 
 
 def main():
@@ -131,7 +131,7 @@ def main():
         for name, title in DRAWINGS.items():
             rows = measured(name, build, package, Path(folder), options.runs)
             expect_the_same(rows)
-            print_table(name, title, rows)
+            print("\n" + text_of(name, title, rows))
 
 
 if __name__ == "__main__":
