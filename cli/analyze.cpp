@@ -159,7 +159,8 @@ void add_analyze(CLI::App& program, Job& job) {
     verb->add_option(
             "--report", options->reports,
             "Where to write what was found (.json, as docs/report.schema.json says); of many drawings: a table (.csv, "
-            ".json, as docs/batch_report.schema.json says) or a contact sheet in the folder (.html); given again for each of several")
+            ".json, as docs/batch_report.schema.json says) or a contact sheet in the folder (.html); given again for each "
+            "of several")
         ->allow_extra_args(false)
         ->take_all()
         ->type_name("FILE");

@@ -65,7 +65,8 @@ class Parser {
     }
 
   private:
-    static constexpr int max_nesting = 200;  // keeps the call stack small whatever the text
+    static constexpr int max_nesting = 200;            // keeps the call stack small whatever the text
+    static constexpr std::size_t max_nodes = 100'000;  // keeps memory small: a node is many times as long as its text
 
     std::string_view text_;
     const SourcePlace& place_;
@@ -130,6 +131,8 @@ class Parser {
     void unary() {
         if (++nesting_ > max_nesting)
             fail("expected at most " + std::to_string(max_nesting) + " nested parts in an expression");
+        if (expression_.postfix.size() >= max_nodes)
+            fail("expected at most " + std::to_string(max_nodes) + " numbers, names and operators in an expression");
         if (take("-")) {
             skip_blanks();
             const bool literal = at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.');

@@ -24,13 +24,15 @@ SvgStyle with_measured_dashes(SvgStyle style, const SvgNode& node, const std::ve
     const std::optional<double> stated = text == nullptr ? std::nullopt : parse_path_length(*text);
     if (!stated || style.dashes.empty()) return style;
     const double drawn = style.non_scaling_stroke ? length(transformed(outline, map)) / pixel : length(outline);
-    const double longest = std::max(std::ranges::max(style.dashes), std::abs(style.dash_offset));
-    if (longest * drawn >= endless * *stated) {
+    const auto measured = [&](double dash) { return dash * drawn / *stated; };
+    // Too long or too short for numbers, or nothing at all: the line is whole.
+    const double longest = measured(std::ranges::max(style.dashes));
+    if (!(longest > 0 && std::max(longest, std::abs(measured(style.dash_offset))) < endless)) {
         style.dashes.clear();
         return style;
     }
-    for (double& dash : style.dashes) dash *= drawn / *stated;
-    style.dash_offset *= drawn / *stated;
+    for (double& dash : style.dashes) dash = measured(dash);
+    style.dash_offset = measured(style.dash_offset);
     return style;
 }
 

@@ -35,8 +35,8 @@ take_files() {
 # The values of attributes in the samples, one a file: path data, transforms, paints.
 take_attributes() {
     local value n=0
-    grep -rhoE ' (d|transform|fill)="[^"]{1,400}"' samples tests/svg --include='*.svg' | sort -u | awk 'NR % 16 == 1' |
-        sed -E 's/^[^"]*"//; s/"$//' | while IFS= read -r value; do
+    grep -rhoE ' (d|transform|fill)="[^"]*"' samples tests/svg --include='*.svg' | awk 'length($0) < 400' | sort -u |
+        awk 'NR % 16 == 1' | sed -E 's/^[^"]*"//; s/"$//' | while IFS= read -r value; do
             n=$((n + 1))
             printf '%s' "$value" >"$corpus/attribute$n"
         done
@@ -84,9 +84,9 @@ run_kind() {
     "build/fuzz/tests/fuzz/${kind}_fuzz" "${options[@]}" "$corpus" >"$log" 2>&1 || status=$?
     findings=$(find build/fuzz/found -name "$kind-*" -newer "$log.begin" | wc -l)
     [ "$status" -eq 0 ] || [ "$findings" -gt 0 ] || findings=1
-    edges=$(grep -oE '\([0-9]+ inline 8-bit counters\)' "$log" | head -n 1 | grep -oE '[0-9]+' || printf 0)
+    edges=$(sed -nE 's/.*\(([0-9]+) inline 8-bit counters\).*/\1/p' "$log" | head -n 1)
     printf '%-8s %8d %12d %9d %8d %8d %8d %7d %9d\n' "$kind" $((SECONDS - begin)) "$(last_number 'number_of_executed_units:')" \
-        "$(last_number 'average_exec_per_sec:')" "$(last_number 'cov:')" "$edges" "$(last_number 'ft:')" \
+        "$(last_number 'average_exec_per_sec:')" "$(last_number 'cov:')" "${edges:-0}" "$(last_number 'ft:')" \
         "$(find "$corpus" -type f | wc -l)" "$findings"
     [ "$findings" -eq 0 ] || { grep -E 'ERROR|runtime error|SUMMARY|Test unit written|what\(\)' "$log" || tail -n 5 "$log"; } >&2
     found_in_all=$((found_in_all + findings))

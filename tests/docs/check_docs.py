@@ -4,16 +4,18 @@ import sys
 from pathlib import Path
 
 import links
+import listed
 import names
 import shown_code
 
-CHECKS = {"links": links.faults, "names": names.faults, "shown code": shown_code.faults}
+CHECKS = {"links": links.faults, "names": names.faults, "listed": listed.faults, "shown code": shown_code.faults}
 
 
 def main():
     root = Path(sys.argv[1]).resolve()
     found = [fault for check in CHECKS.values() for fault in check(root)]
-    print("\n".join(found))
+    if found:
+        print("\n".join(found))
     return 1 if found else 0
 
 

@@ -34,6 +34,13 @@ FAULTS = [
 ]
 
 
+INDEX = {
+    **GOOD,
+    "docs/README.md": "[r](../README.md) [page](how_to/page.md)\n",
+    "docs/site/index.md": "```{toctree}\n:caption: All\n\n../../README\n../README\n../how_to/page\n```\n",
+}
+
+
 def said(files):
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder).resolve()
@@ -50,6 +57,10 @@ def main():
         found = said({**GOOD, file: GOOD[file].replace(good, bad, 1)})
         right = not found if expected is None else len(found) == 1 and expected in found[0]
         assert right, (file, bad, found)
+    assert said(INDEX) == [], said(INDEX)
+    for file, line in [("docs/README.md", "[page](how_to/page.md)"), ("docs/site/index.md", "../how_to/page\n")]:
+        found = said({**INDEX, file: INDEX[file].replace(line, "")})
+        assert len(found) == 1 and "docs/how_to/page.md is not" in found[0], (file, found)
     # A function of another file than the one that is named before it.
     elsewhere = {**GOOD, "cli/main.cpp": "\"--depth\" int question();"}
     elsewhere["docs/how_to/page.md"] = GOOD["docs/how_to/page.md"].replace("answer()", "question()")

@@ -8,14 +8,15 @@
 namespace rinceau {
 namespace {
 
-/// Few elements with few points, which an analysis takes no time for, and none of them much larger than the page: numbers
-/// are kept to the digits that show there.
+/// Few elements with few points, which an analysis takes no time for, none of them much larger than the page or very far
+/// from the origin: numbers are kept to the digits that show on the page.
 bool is_small(const Scene& scene) {
     constexpr std::size_t most_elements = 40, most_segments = 600;
-    const double most_reach = 100 * drawing_diagonal(scene);
+    const double most_reach = 100 * drawing_diagonal(scene), farthest = 1e6 * drawing_diagonal(scene);
     std::size_t segments = 0;
     for (const Element& element : scene.elements) {
-        if (diagonal(painted_box(element)) > most_reach) return false;
+        const Box box = painted_box(element);
+        if (diagonal(box) > most_reach || abs(box.low) > farthest) return false;
         for (const Path& path : element.paths) segments += path.segments.size() + 1;
     }
     return scene.elements.size() <= most_elements && segments <= most_segments;

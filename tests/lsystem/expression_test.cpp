@@ -76,6 +76,8 @@ TEST_CASE("expressions nested without end are refused, long ones are not") {
     for (int i = 0; i < 20'000; ++i) sum += "+1";
     CHECK(value_of(sum) == 20'000);
     CHECK(to_text(parse_expression(sum)) == sum);
+    for (int i = 0; i < 60'000; ++i) sum += "+1";
+    CHECK_THROWS_AS(parse_expression(sum), InputError);
 }
 
 TEST_CASE("the text of an expression is short and reads back as the same expression") {

@@ -61,6 +61,8 @@ TEST_CASE("dashes in a stated length follow transforms as the shape does") {
 TEST_CASE("a stated length of 0 makes the line whole, one that cannot be is told and passed over") {
     CHECK(stroke_of("<path d='M10 10H90' pathLength='0' stroke-dasharray='5'/>").dashes.empty());
     CHECK(stroke_of("<path d='M10 10H90' pathLength='1e-300' stroke-dasharray='5'/>").dashes.empty());
+    CHECK(stroke_of("<path d='M10 10H90' pathLength='1e308' stroke-dasharray='1e-30'/>").dashes.empty());
+    CHECK(stroke_of("<path d='M10 10h0' stroke-linecap='round' pathLength='0' stroke-dasharray='5'/>").dashes.empty());
     for (const std::string faulty : {"-8", "8px", "1 2", "long"}) {
         const std::string shape = "<path d='M10 10H90' pathLength='" + faulty + "' stroke-dasharray='5 5'/>";
         CHECK(stroke_of(shape).dashes == std::vector<double>{5, 5});
