@@ -110,9 +110,11 @@ int run_pack(const PackVerbOptions& options) {
 }  // namespace
 
 void add_pack(CLI::App& program, Job& job) {
-    const auto [verb, options] = add_verb<PackVerbOptions>(
-        program, job, "pack", "Fill an area with shapes, densely and without a period",
-        "rinceau pack samples/growth/toys.svg --size 600,400 -o aggregate.svg --report aggregate.json", run_pack);
+    const auto [verb, options] =
+        add_verb<PackVerbOptions>(program, job, "pack", "Fill an area with shapes, densely and without a period",
+                                  "rinceau pack samples/growth/toy_plane.svg samples/growth/toy_dinosaur.svg --size 600,400 "
+                                  "-o aggregate.svg --report aggregate.json",
+                                  run_pack);
     add_pack_options(*verb, *options);
 }
 

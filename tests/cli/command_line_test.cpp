@@ -9,8 +9,9 @@ using namespace rinceau::test;
 
 namespace {
 /// Their examples speak of samples and write beside them.
-const std::vector<std::string> verbs_on_samples = {"analyze",   "render",  "derive", "check",    "set",
-                                                   "randomize", "symmetrize", "replace", "export", "normalize", "arrange"};
+const std::vector<std::string> verbs_on_samples = {"analyze",   "render",     "derive",  "check",  "set",
+                                                   "randomize", "symmetrize", "replace", "export", "normalize",
+                                                   "arrange",   "pack",       "grow",    "field"};
 /// Their examples are for a shell or for documents of one's own.
 const std::vector<std::string> other_verbs = {"edit", "inkscape", "man", "completion"};
 
