@@ -92,6 +92,7 @@ macro(check_size file)
   endif()
 endmacro()
 
+# Two types of one name in one program are one to the linker, which takes the functions of either.
 # Global because macros of a loop share it: "name of a type;its header".
 set(type_names "")
 set(type_files "")
@@ -161,9 +162,7 @@ foreach(folder IN LISTS folders programs)
     math(EXPR checked "${checked} + 1")
     read_includes("${file}" includes)
     check_size("${file}")
-    if(NOT folder IN_LIST programs)
-      check_types("${file}")
-    endif()
+    check_types("${file}")
     check_packages("${file}" "${includes}")
     if(NOT folder IN_LIST programs)
       check_folders("${folder}" "${file}" "${includes}")

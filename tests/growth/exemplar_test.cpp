@@ -49,12 +49,12 @@ void check_rings(const Exemplar& exemplar) {
 }  // namespace
 
 TEST_CASE("on lattices every whole ring has the right number of neighbours, also turned and with a fifth of jitter") {
-    for (const PointPattern& exact : lattice_patterns())
+    for (const KnownPattern& exact : lattice_patterns())
         for (const double jitter : {0.0, 0.1, 0.2})
             for (const double angle : {0.0, 0.4}) {
                 const bool motif = exact.name == "honeycomb";  // two elements a cell: no lattice, told by ties alone
                 if (motif && jitter > 0.05) continue;
-                const PointPattern pattern = jittered(turned(exact, angle), jitter, 5);
+                const KnownPattern pattern = jittered(turned(exact, angle), jitter, 5);
                 INFO(pattern.name << ", jitter " << jitter);
                 const Exemplar exemplar = exemplar_of(pattern.points);
                 check_rings(exemplar);
@@ -67,7 +67,7 @@ TEST_CASE("on lattices every whole ring has the right number of neighbours, also
 }
 
 TEST_CASE("columns and rows of a lattice say where its elements stand") {
-    for (const PointPattern& exact : lattice_patterns()) {
+    for (const KnownPattern& exact : lattice_patterns()) {
         if (exact.name == "honeycomb") continue;
         INFO(exact.name);
         const Exemplar exemplar = exemplar_of(jittered(turned(exact, 0.7), 0.1, 2).points);

@@ -11,7 +11,7 @@
 
 namespace rinceau {
 
-struct PointPattern {
+struct KnownPattern {
     std::string name;
     std::vector<ExemplarPoint> points;
     std::size_t degree = 0;  ///< neighbours that each point inside has
@@ -34,23 +34,23 @@ inline std::vector<ExemplarPoint> honeycomb_points(int columns, int rows) {
     return points;
 }
 
-inline PointPattern turned(PointPattern pattern, double angle) {
+inline KnownPattern turned(KnownPattern pattern, double angle) {
     pattern.name += " turned";
     for (ExemplarPoint& p : pattern.points) p.position = polar(1, angle) * p.position;
     return pattern;
 }
 
 /// Each point moved by up to `share` in x and y.
-inline PointPattern jittered(PointPattern pattern, double share, std::uint64_t seed) {
+inline KnownPattern jittered(KnownPattern pattern, double share, std::uint64_t seed) {
     Random random(seed);
     for (ExemplarPoint& p : pattern.points) p.position += {random.uniform(-share, share), random.uniform(-share, share)};
     return pattern;
 }
 
 /// Square, hexagonal, honeycomb, brick bond, diagonal scales, checkerboard; edges near 1.
-inline std::vector<PointPattern> lattice_patterns() {
+inline std::vector<KnownPattern> lattice_patterns() {
     const double row = std::sqrt(0.75);
-    std::vector<PointPattern> patterns{
+    std::vector<KnownPattern> patterns{
         {"square", grid_points(8, 8, {1, 0}, {0, 1}), 4},
         {"hexagonal", grid_points(8, 8, {1, 0}, {0, row}, 0.5), 6},
         {"honeycomb", honeycomb_points(6, 6), 3},
