@@ -20,7 +20,7 @@ std::string parts_text(const Grammar& grammar, const DeriveOptions& options, Not
 
 std::optional<std::string> rules_text(const Grammar& grammar, const DeriveOptions& options, bool live, NoteList& notes) {
     if (is_context_sensitive(grammar)) return std::nullopt;
-    return cfdg_rules(plain_rules(unfolded_exceptions(grammar, options)), live, notes);
+    return cfdg_rules(plain_rules(unfolded_exceptions(grammar, options)), options, live, notes);
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ Export to_cfdg(const Grammar& grammar, const ExportOptions& options) {
     if (!text) {
         text = parts_text(grammar, options.derive, notes);
         notes.add(chance ? "what is drawn by chance is frozen as the seed has it"
-                         : "Context Free cannot say these rules by shapes with parameters: they are written as what they become, with numbers");
+                         : "Context Free cannot say these rules by shapes with parameters: they are written as what they "
+                           "become, with numbers");
     } else if (chance) {
         notes.add(
             "draws by chance are Context Free's own: every variation is another picture, and what overlaps may lie in "

@@ -22,13 +22,13 @@ using Scope = CfdgScope;
 
 class RulesWriter {
   public:
-    RulesWriter(const Grammar& grammar, bool live_random, NoteList& notes)
+    RulesWriter(const Grammar& grammar, const DeriveOptions& options, bool live_random, NoteList& notes)
         : grammar_(grammar),
           live_(live_random),
           notes_(notes),
           calls_(grammar),
-          measure_(grammar),
-          symbols_(grammar, live_random) {}
+          measure_(grammar, options),
+          symbols_(grammar, options, live_random) {}
 
     std::string write() {
         if (!calls_.balanced()) throw NotByRules();
@@ -399,11 +399,14 @@ class RulesWriter {
 
 }  // namespace
 
-std::optional<std::string> cfdg_rules(const Grammar& grammar, bool live_random, NoteList& notes) {
+std::optional<std::string> cfdg_rules(const Grammar& grammar, const DeriveOptions& limits, bool live_random,
+                                      NoteList& notes) {
+    DeriveOptions whole = limits;
+    whole.depth = -1;
     const std::optional<Grammar> moved = inlined_moves(grammar);
     if (!moved) return std::nullopt;
     try {
-        return RulesWriter(*moved, live_random, notes).write();
+        return RulesWriter(*moved, whole, live_random, notes).write();
     } catch (const NotByRules&) {
         return std::nullopt;
     }

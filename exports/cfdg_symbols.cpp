@@ -24,7 +24,8 @@ bool chooses_style(const std::vector<ModuleTemplate>& string) {
 
 }  // namespace
 
-CfdgSymbols::CfdgSymbols(const Grammar& grammar, bool live_random) : names(cfdg_words()), grammar_(grammar) {
+CfdgSymbols::CfdgSymbols(const Grammar& grammar, const DeriveOptions& options, bool live_random)
+    : names(cfdg_words()), grammar_(grammar), options_(options) {
     styled = chooses_style(grammar.axiom) || std::ranges::any_of(grammar.productions, [](const Production& production) {
                  return chooses_style(production.successor);
              });
@@ -36,7 +37,7 @@ CfdgSymbols::CfdgSymbols(const Grammar& grammar, bool live_random) : names(cfdg_
 }
 
 void CfdgSymbols::find_looks(bool live_random) {
-    visit_placements(grammar_, {}, [&](const Placement& placement) {
+    visit_placements(grammar_, {.derive = options_}, [&](const Placement& placement) {
         ++placements;
         looks[placement.terminal].insert(placement.style);
     });
@@ -82,7 +83,7 @@ CfdgScope CfdgSymbols::scope_of(const Production& production, const CfdgScope& s
 }
 
 void CfdgSymbols::find_naturals() {
-    const DerivationFacts facts = derivation_facts(grammar_);
+    const DerivationFacts facts = derivation_facts(grammar_, options_);
     depth = facts.depth;
     const auto for_each_range = [&](const auto& visit) {
         for (auto& [signature, scope] : scopes) {

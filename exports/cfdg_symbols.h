@@ -10,6 +10,7 @@
 #include "exports/call_graph.h"
 #include "exports/cfdg_drawing.h"
 #include "exports/cfdg_expression.h"
+#include "lsystem/derive.h"
 
 namespace rinceau {
 
@@ -25,7 +26,7 @@ struct CfdgScope {
 class CfdgSymbols {
   public:
     /// With live_random what the derivation shows is not taken for everything that can happen.
-    CfdgSymbols(const Grammar& grammar, bool live_random);
+    CfdgSymbols(const Grammar& grammar, const DeriveOptions& options, bool live_random);
 
     UniqueNames names;  ///< but for parameters
     NameMap constants;
@@ -46,6 +47,7 @@ class CfdgSymbols {
 
   private:
     const Grammar& grammar_;
+    DeriveOptions options_;
 
     void find_looks(bool live_random);
     void name_shapes(bool live_random);

@@ -215,7 +215,9 @@ Export to_lindenmayer(const Grammar& grammar, const ExportOptions& options) {
     } else {
         plain = plain_rules(unfolded_exceptions(grammar, options.derive));
     }
-    result.bytes = ModuleWriter(plain).write(derivation_facts(plain).depth);
+    DeriveOptions whole = options.derive;
+    whole.depth = -1;
+    result.bytes = ModuleWriter(plain).write(derivation_facts(plain, whole).depth);
     return result;
 }
 

@@ -32,7 +32,8 @@ std::string text_of(const ModuleTemplate& module) {
 
 }  // namespace
 
-MeasuredModules::MeasuredModules(const Grammar& grammar) : scratch_(grammar), probe_("Probe") {
+MeasuredModules::MeasuredModules(const Grammar& grammar, const DeriveOptions& options)
+    : options_(options), scratch_(grammar), probe_("Probe") {
     while (is_symbol(grammar, probe_)) probe_ += '_';
     for (Terminal& terminal : scratch_.terminals) {
         terminal.paths.clear();
@@ -50,7 +51,7 @@ const MeasuredModules::Measures& MeasuredModules::measured(const ModuleTemplate&
     scratch_.axiom = {{";", {number_expression(marker)}, {}}, module, {probe_, {}, {}}};
     Measures& measures = place->second;
     Placement last;
-    visit_placements(scratch_, {}, [&](const Placement& placement) {
+    visit_placements(scratch_, {.derive = options_}, [&](const Placement& placement) {
         ++measures.placements;
         last = placement;
     });

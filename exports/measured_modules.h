@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geometry/similarity.h"
+#include "lsystem/derive.h"
 #include "lsystem/grammar.h"
 
 namespace rinceau {
@@ -20,7 +21,8 @@ class MeasuredModules {
         std::optional<int> style;  ///< nothing = as it was
     };
 
-    explicit MeasuredModules(const Grammar& grammar);
+    /// With options.depth = -1 modules are derived to their end. Members throw as derive().
+    MeasuredModules(const Grammar& grammar, const DeriveOptions& options);
 
     /// Things that the module draws in all.
     std::uint64_t placements_of(const ModuleTemplate& module) { return measured(module).placements; }
@@ -33,6 +35,7 @@ class MeasuredModules {
         std::optional<Move> move;
     };
 
+    DeriveOptions options_;
     Grammar scratch_;  ///< without outlines, with a terminal that is no symbol of the grammar
     std::string probe_;
     std::map<std::string, Measures> known_;
