@@ -1,7 +1,6 @@
 #include "cli/batch_report.h"
 
-#include <nlohmann/json.hpp>
-
+#include "cli/batch_row_json.h"
 #include "cli/batch_work.h"
 #include "files/output_file.h"
 #include "lsystem/number_text.h"
@@ -51,23 +50,9 @@ std::string csv_record(const BatchEntry& entry) {
 }
 
 std::string json_object(const BatchEntry& entry) {
-    const BatchRow& row = entry.row;
-    const Json json{{"input", entry.input},
-                    {"output", output_of(row)},
-                    {"status", status_word(row.status)},
-                    {"message", row.message},
-                    {"elements", row.elements},
-                    {"verbatim", row.verbatim},
-                    {"terminals", row.terminals},
-                    {"rules", row.rules},
-                    {"kinds", row.kinds},
-                    {"drawing_bits", row.drawing_bits},
-                    {"grammar_bits", row.grammar_bits},
-                    {"error_max", row.error_max},
-                    {"error_rms", row.error_rms},
-                    {"tolerance", row.tolerance},
-                    {"warnings", row.warnings}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    Json json{{"input", entry.input}, {"output", output_of(entry.row)}};
+    add_findings(json, entry.row);
+    return line_of(json);
 }
 
 }  // namespace

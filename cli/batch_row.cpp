@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include <nlohmann/json.hpp>
+#include "cli/batch_row_json.h"
 
 namespace rinceau {
 namespace {
@@ -43,27 +43,33 @@ BatchRow row_of(const Json& json, BatchStatus status) {
 
 std::string_view status_word(BatchStatus status) { return words[static_cast<std::size_t>(status)]; }
 
+void add_findings(Json& json, const BatchRow& row) {
+    json["status"] = status_word(row.status);
+    json["message"] = row.message;
+    json["elements"] = row.elements;
+    json["verbatim"] = row.verbatim;
+    json["terminals"] = row.terminals;
+    json["rules"] = row.rules;
+    json["kinds"] = row.kinds;
+    json["drawing_bits"] = row.drawing_bits;
+    json["grammar_bits"] = row.grammar_bits;
+    json["error_max"] = row.error_max;
+    json["error_rms"] = row.error_rms;
+    json["tolerance"] = row.tolerance;
+    json["warnings"] = row.warnings;
+}
+
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 std::string row_line(const BatchRow& row) {
-    const Json json{{"drawing", row.drawing},
-                    {"status", status_word(row.status)},
-                    {"message", row.message},
-                    {"elements", row.elements},
-                    {"verbatim", row.verbatim},
-                    {"terminals", row.terminals},
-                    {"rules", row.rules},
-                    {"kinds", row.kinds},
-                    {"drawing_bits", row.drawing_bits},
-                    {"grammar_bits", row.grammar_bits},
-                    {"error_max", row.error_max},
-                    {"error_rms", row.error_rms},
-                    {"tolerance", row.tolerance},
-                    {"warnings", row.warnings},
-                    {"seconds", row.seconds},
-                    {"options", row.options},
-                    {"bytes", row.bytes},
-                    {"fingerprint", row.fingerprint},
-                    {"grammar_fingerprint", row.grammar_fingerprint}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    Json json{{"drawing", row.drawing}};
+    add_findings(json, row);
+    json["seconds"] = row.seconds;
+    json["options"] = row.options;
+    json["bytes"] = row.bytes;
+    json["fingerprint"] = row.fingerprint;
+    json["grammar_fingerprint"] = row.grammar_fingerprint;
+    return line_of(json) + "\n";
 }
 
 std::optional<BatchRow> parse_row(std::string_view line) {
