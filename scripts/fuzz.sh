@@ -9,7 +9,7 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 . scripts/packages.sh
 
-all_kinds=(svg path css lsys grammar export fgsg obj off ply png field project analyze)
+all_kinds=(svg path css lsys grammar export laid fgsg obj off ply png field project analyze)
 usage() { say "Usage: ./test.sh fuzz [--keep] [SECONDS [KIND...]]   with KIND of: ${all_kinds[*]}"; exit 2; }
 keep=
 [ "${1-}" != --keep ] || { keep=yes; shift; }
@@ -46,7 +46,7 @@ take_seeds() {
     case $1 in
         svg | analyze) take_files .svg samples tests/svg ;;
         path) take_attributes ;;
-        lsys | export) take_files .lsys samples ;;
+        lsys | export | laid) take_files .lsys samples ;;
         fgsg) take_files .fgsg samples ;;
         obj) take_files .obj samples ;;
         png) take_files .png samples tests ;;
@@ -59,7 +59,7 @@ take_seeds() {
 dictionary() {
     case $1 in
         analyze) printf svg ;;
-        export) printf lsys ;;
+        export | laid) printf lsys ;;
         *) printf '%s' "$1" ;;
     esac
 }
