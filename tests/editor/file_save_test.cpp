@@ -4,7 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "files/signals_held.h"
 #include "lsystem/grammar_text.h"
@@ -21,6 +24,15 @@ bool is_settled(const EditorDesk& desk) { return !is_busy(desk.state()); }
 void save_as(EditorDesk& desk, const std::string& path, bool replace = false) {
     desk.act(FileAction{SaveFileAs{path, replace}});
     desk.until([&] { return is_settled(desk); });
+}
+
+/// A window takes the lock of its file behind the user's back: no answer tells of it.
+void wait_for_lock(const std::string& folder) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
+        if (std::chrono::steady_clock::now() > end) FAIL("no window took a lock");
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
 }
 
 /// While it lives, folders that their owner has closed are closed to the test, too, even if root runs it.
@@ -262,6 +274,7 @@ TEST_CASE("two windows with one file open warn, and a window that has closed it 
     EditorDesk first(kept);
     EditorDesk second(kept);
     first.open(sample_path("border.lsys"));
+    wait_for_lock(folder / "state/open");
     second.open(sample_path("border.lsys"));
     second.until([&] { return second.was_told("is open in another window"); });
     CHECK_FALSE(first.was_told("is open in another window"));
