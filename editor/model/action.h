@@ -17,8 +17,15 @@
 
 namespace rinceau {
 
-using Action = std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction, DialogAction,
-                            RecoveryAction, GrowthAction, SurfaceAction>;
+struct Action : std::variant<FileAction, RulesAction, ToolsAction, CanvasAction, AnalysisAction, ShellAction, DialogAction,
+                             RecoveryAction, GrowthAction, SurfaceAction> {
+    using variant::variant;
+    Action(const Action&);
+    Action(Action&&) noexcept;
+    Action& operator=(const Action&);
+    Action& operator=(Action&&) noexcept;
+    ~Action();
+};
 using Actions = std::vector<Action>;
 
 }  // namespace rinceau

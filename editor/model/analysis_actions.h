@@ -74,8 +74,15 @@ struct SplitSelection {};
 /// What was merged and split by hand is left to the analysis again.
 struct ForgetGrouping {};
 
-using AnalysisAction = std::variant<StartAnalysis, TryAnalysis, CancelAnalysis, AnalysisProgress, AnalysisDone,
-                                    AnalysisFailed, ShowClusters, ClustersFound, ClustersFailed, HoverCluster, KeepCluster,
-                                    ElementsMapped, ChooseTerminal, MergeTerminals, SplitSelection, ForgetGrouping>;
+struct AnalysisAction : std::variant<StartAnalysis, TryAnalysis, CancelAnalysis, AnalysisProgress, AnalysisDone,
+                                     AnalysisFailed, ShowClusters, ClustersFound, ClustersFailed, HoverCluster, KeepCluster,
+                                     ElementsMapped, ChooseTerminal, MergeTerminals, SplitSelection, ForgetGrouping> {
+    using variant::variant;
+    AnalysisAction(const AnalysisAction&);
+    AnalysisAction(AnalysisAction&&) noexcept;
+    AnalysisAction& operator=(const AnalysisAction&);
+    AnalysisAction& operator=(AnalysisAction&&) noexcept;
+    ~AnalysisAction();
+};
 
 }  // namespace rinceau

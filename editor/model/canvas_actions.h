@@ -36,8 +36,8 @@ struct PictureFailed {
 /// The element there is selected, or, if it was the one that was clicked before, the level above; nothing is where there is
 /// no element.
 struct ClickCanvas {
-    Point at;          ///< scene
-    double reach = 0;  ///< how far from an element still hits it, scene units
+    Point at;            ///< scene
+    double reach = 0;    ///< how far from an element still hits it, scene units
     bool below = false;  ///< the element under the one that would be hit
 };
 /// Of the path of the selection.
@@ -104,10 +104,17 @@ struct DropHandle {};  ///< all is as before it was grabbed
 /// What is selected is no more: an exception.
 struct EraseSelected {};
 
-using CanvasAction = std::variant<ResizeCanvas, FitView, ZoomView, PanView, PictureDerived, PictureFailed, ClickCanvas,
-                                  SelectLevel, StepSelection, SelectNeighbour, ClearSelection, SelectionFound, HoverCanvas,
-                                  LeaveCanvas, HoverRule, HoverTerminal, HoverItems, RuleLit, ShowOnion, BeforeDerived,
-                                  ZoomToSelection, ActualSize, GrabHandle, DragHandle,
-                                  ReleaseHandle, DropHandle, EraseSelected>;
+struct CanvasAction
+    : std::variant<ResizeCanvas, FitView, ZoomView, PanView, PictureDerived, PictureFailed, ClickCanvas, SelectLevel,
+                   StepSelection, SelectNeighbour, ClearSelection, SelectionFound, HoverCanvas, LeaveCanvas, HoverRule,
+                   HoverTerminal, HoverItems, RuleLit, ShowOnion, BeforeDerived, ZoomToSelection, ActualSize, GrabHandle,
+                   DragHandle, ReleaseHandle, DropHandle, EraseSelected> {
+    using variant::variant;
+    CanvasAction(const CanvasAction&);
+    CanvasAction(CanvasAction&&) noexcept;
+    CanvasAction& operator=(const CanvasAction&);
+    CanvasAction& operator=(CanvasAction&&) noexcept;
+    ~CanvasAction();
+};
 
 }  // namespace rinceau

@@ -86,10 +86,17 @@ struct PickItemAt {
     int row = -1;
 };
 
-using DialogAction =
-    std::variant<ShowFileDialog, CloseFileDialog, FocusFileDialog, TypeInFileDialog, MoveInFileDialog, SelectFileRow,
-                 AcceptFileDialog, GoToFolder, ShowHiddenFiles, ShowAllKinds, NameNewFolder, CancelNewFolder, MakeNewFolder,
-                 ChooseFileKind, ChooseExportFormat, SetExportChoices, ShowPickList, ClosePickList, SamplesListed,
-                 MoveInPickList, PickItemAt, FolderListed, FolderFailed, PathSeen>;
+struct DialogAction
+    : std::variant<ShowFileDialog, CloseFileDialog, FocusFileDialog, TypeInFileDialog, MoveInFileDialog, SelectFileRow,
+                   AcceptFileDialog, GoToFolder, ShowHiddenFiles, ShowAllKinds, NameNewFolder, CancelNewFolder,
+                   MakeNewFolder, ChooseFileKind, ChooseExportFormat, SetExportChoices, ShowPickList, ClosePickList,
+                   SamplesListed, MoveInPickList, PickItemAt, FolderListed, FolderFailed, PathSeen> {
+    using variant::variant;
+    DialogAction(const DialogAction&);
+    DialogAction(DialogAction&&) noexcept;
+    DialogAction& operator=(const DialogAction&);
+    DialogAction& operator=(DialogAction&&) noexcept;
+    ~DialogAction();
+};
 
 }  // namespace rinceau

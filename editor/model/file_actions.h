@@ -117,9 +117,16 @@ struct AnswerFileQuestion {
     FileAnswer answer = FileAnswer::cancel;
 };
 
-using FileAction =
-    std::variant<NewDocument, OpenFile, OpenSample, RevertFile, CloseFile, QuitEditor, FileOpened, FileFailed, SaveFile,
-                 SaveFileAs, FileSaved, SaveFailed, FileChangedOutside, FileHeldElsewhere, ExportFile, ExportProgress,
-                 FileExported, ExportFailed, CancelExport, WouldReplace, AnswerFileQuestion>;
+struct FileAction
+    : std::variant<NewDocument, OpenFile, OpenSample, RevertFile, CloseFile, QuitEditor, FileOpened, FileFailed, SaveFile,
+                   SaveFileAs, FileSaved, SaveFailed, FileChangedOutside, FileHeldElsewhere, ExportFile, ExportProgress,
+                   FileExported, ExportFailed, CancelExport, WouldReplace, AnswerFileQuestion> {
+    using variant::variant;
+    FileAction(const FileAction&);
+    FileAction(FileAction&&) noexcept;
+    FileAction& operator=(const FileAction&);
+    FileAction& operator=(FileAction&&) noexcept;
+    ~FileAction();
+};
 
 }  // namespace rinceau

@@ -100,9 +100,16 @@ struct GrownDocumentMade {
     Document document;
 };
 
-using GrowthAction = std::variant<OpenGrowth, SetGrowth, TakeBrush, PressBrush, DragBrush, ReleaseBrush, DropStroke,
-                                  EraseStrokes, ForgetFlips, BeginGrowth, GrowMore, FinishGrowth, FillAggregate,
-                                  GrowOtherSeed, StopGrowth, DropGrowth, BringBackGrowth, UseGrowth, ShowGrowth, SourceRead,
-                                  GrowthProgress, PatternGrown, GrowthFailed, GrownDocumentMade>;
+struct GrowthAction : std::variant<OpenGrowth, SetGrowth, TakeBrush, PressBrush, DragBrush, ReleaseBrush, DropStroke,
+                                   EraseStrokes, ForgetFlips, BeginGrowth, GrowMore, FinishGrowth, FillAggregate,
+                                   GrowOtherSeed, StopGrowth, DropGrowth, BringBackGrowth, UseGrowth, ShowGrowth, SourceRead,
+                                   GrowthProgress, PatternGrown, GrowthFailed, GrownDocumentMade> {
+    using variant::variant;
+    GrowthAction(const GrowthAction&);
+    GrowthAction(GrowthAction&&) noexcept;
+    GrowthAction& operator=(const GrowthAction&);
+    GrowthAction& operator=(GrowthAction&&) noexcept;
+    ~GrowthAction();
+};
 
 }  // namespace rinceau

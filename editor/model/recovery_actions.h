@@ -64,8 +64,15 @@ struct PreferencesRead {
     std::string mistake;
 };
 
-using RecoveryAction =
-    std::variant<Tick, LookForRecoverables, RecoverablesFound, RecoveryWritten, RecoveryFailed, OpenRecoverable,
-                 DiscardRecoverable, PostponeRecovery, DocumentRecovered, RecoverableFailed, PreferencesRead>;
+struct RecoveryAction
+    : std::variant<Tick, LookForRecoverables, RecoverablesFound, RecoveryWritten, RecoveryFailed, OpenRecoverable,
+                   DiscardRecoverable, PostponeRecovery, DocumentRecovered, RecoverableFailed, PreferencesRead> {
+    using variant::variant;
+    RecoveryAction(const RecoveryAction&);
+    RecoveryAction(RecoveryAction&&) noexcept;
+    RecoveryAction& operator=(const RecoveryAction&);
+    RecoveryAction& operator=(RecoveryAction&&) noexcept;
+    ~RecoveryAction();
+};
 
 }  // namespace rinceau

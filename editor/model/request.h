@@ -210,14 +210,20 @@ struct WriteSurface {
 };
 struct CloseWindow {};
 
-// clang-format off: one a line, so that the list grows without touching other lines
-using Request = std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, CheckText, MeasureDepth,
-                             LightRule, DeriveBefore, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, RunTool,
-                             ReadReplacement, ReadSource, GrowArrangement, FillPattern, MakeGrownDocument, EndGrowth,
-                             ReadMesh, DesignField, GrowOnSurface, EndSurface, WriteSurface, CloseWindow, StopExport,
-                             HoldFile, ListFolder, MakeFolder, LookAtPath, ListSamples, WriteRecovery, RemoveRecovery,
-                             FindRecoverables, ReadRecovery, DiscardRecovery, WritePreferences>;
-// clang-format on
+struct Request
+    : std::variant<ReadDocument, WriteDocument, WriteExport, DerivePicture, FindSelection, CheckText, MeasureDepth,
+                   LightRule, DeriveBefore, RunAnalysis, StopAnalysis, TabulateClusters, MapElements, RunTool,
+                   ReadReplacement, ReadSource, GrowArrangement, FillPattern, MakeGrownDocument, EndGrowth, ReadMesh,
+                   DesignField, GrowOnSurface, EndSurface, WriteSurface, CloseWindow, StopExport, HoldFile, ListFolder,
+                   MakeFolder, LookAtPath, ListSamples, WriteRecovery, RemoveRecovery, FindRecoverables, ReadRecovery,
+                   DiscardRecovery, WritePreferences> {
+    using variant::variant;
+    Request(const Request&);
+    Request(Request&&) noexcept;
+    Request& operator=(const Request&);
+    Request& operator=(Request&&) noexcept;
+    ~Request();
+};
 using Requests = std::vector<Request>;
 
 }  // namespace rinceau

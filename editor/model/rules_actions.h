@@ -123,10 +123,17 @@ struct ShowTextPlace {
 };
 struct TextPlaceShown {};
 
-using RulesAction = std::variant<SetNumber, TypeNumber, EnterTyped, StopTyping, ResetNumber, LockNumber, FilterRules,
-                                 ShowRuleDetails, CommitPreview, DropPreview, UndoEdit, RedoEdit, GoInHistory, SetDepth,
-                                 SetSeed, DepthMeasured, AddProduction, RemoveProduction, KeepProduction, MoveProduction,
-                                 RenameSymbol, CommentProduction, WriteCard, EnterCard, StopCard, ShowRules, WriteText,
-                                 TextChecked, ApplyText, RevertText, ShowTextPlace, TextPlaceShown>;
+struct RulesAction : std::variant<SetNumber, TypeNumber, EnterTyped, StopTyping, ResetNumber, LockNumber, FilterRules,
+                                  ShowRuleDetails, CommitPreview, DropPreview, UndoEdit, RedoEdit, GoInHistory, SetDepth,
+                                  SetSeed, DepthMeasured, AddProduction, RemoveProduction, KeepProduction, MoveProduction,
+                                  RenameSymbol, CommentProduction, WriteCard, EnterCard, StopCard, ShowRules, WriteText,
+                                  TextChecked, ApplyText, RevertText, ShowTextPlace, TextPlaceShown> {
+    using variant::variant;
+    RulesAction(const RulesAction&);
+    RulesAction(RulesAction&&) noexcept;
+    RulesAction& operator=(const RulesAction&);
+    RulesAction& operator=(RulesAction&&) noexcept;
+    ~RulesAction();
+};
 
 }  // namespace rinceau

@@ -53,7 +53,14 @@ struct EditPalette {
 };
 struct DismissMessages {};
 
-using ShellAction = std::variant<SetDarkTheme, SetTextScale, ShowPanel, ShowLeftColumn, ResizePanels, FocusPanel,
-                                 FocusNextPanel, PanelFocused, ShowHelp, ShowPalette, EditPalette, DismissMessages>;
+struct ShellAction : std::variant<SetDarkTheme, SetTextScale, ShowPanel, ShowLeftColumn, ResizePanels, FocusPanel,
+                                  FocusNextPanel, PanelFocused, ShowHelp, ShowPalette, EditPalette, DismissMessages> {
+    using variant::variant;
+    ShellAction(const ShellAction&);
+    ShellAction(ShellAction&&) noexcept;
+    ShellAction& operator=(const ShellAction&);
+    ShellAction& operator=(ShellAction&&) noexcept;
+    ~ShellAction();
+};
 
 }  // namespace rinceau

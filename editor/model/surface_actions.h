@@ -104,9 +104,16 @@ struct SurfaceExported {
     std::string mistake;
 };
 
-using SurfaceAction = std::variant<OpenMesh, OpenShapeGrammar, SetSurface, ResizeSurfaceView, TurnSurface, PanSurface,
-                                   ZoomSurface, FitSurface, PressSurface, DragSurface, ReleaseSurface, TurnMark, RemoveMark,
-                                   ClearMarks, GrowSurface, StepSurface, StopSurface, ClearSurface, ExportSurface, MeshRead,
-                                   FieldDesigned, SurfaceProgress, SurfaceGrown, SurfaceExported>;
+struct SurfaceAction : std::variant<OpenMesh, OpenShapeGrammar, SetSurface, ResizeSurfaceView, TurnSurface, PanSurface,
+                                    ZoomSurface, FitSurface, PressSurface, DragSurface, ReleaseSurface, TurnMark, RemoveMark,
+                                    ClearMarks, GrowSurface, StepSurface, StopSurface, ClearSurface, ExportSurface, MeshRead,
+                                    FieldDesigned, SurfaceProgress, SurfaceGrown, SurfaceExported> {
+    using variant::variant;
+    SurfaceAction(const SurfaceAction&);
+    SurfaceAction(SurfaceAction&&) noexcept;
+    SurfaceAction& operator=(const SurfaceAction&);
+    SurfaceAction& operator=(SurfaceAction&&) noexcept;
+    ~SurfaceAction();
+};
 
 }  // namespace rinceau

@@ -58,7 +58,14 @@ struct ReplacementFailed {
     std::string message;
 };
 
-using ToolsAction = std::variant<OpenTool, SetTools, SetNoise, NewSeed, UseTool, UseReplace, KeepTool, ToolDone, ToolFailed,
-                                 ReplacementRead, ReplacementFailed>;
+struct ToolsAction : std::variant<OpenTool, SetTools, SetNoise, NewSeed, UseTool, UseReplace, KeepTool, ToolDone, ToolFailed,
+                                  ReplacementRead, ReplacementFailed> {
+    using variant::variant;
+    ToolsAction(const ToolsAction&);
+    ToolsAction(ToolsAction&&) noexcept;
+    ToolsAction& operator=(const ToolsAction&);
+    ToolsAction& operator=(ToolsAction&&) noexcept;
+    ~ToolsAction();
+};
 
 }  // namespace rinceau
