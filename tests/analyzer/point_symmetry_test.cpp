@@ -64,7 +64,7 @@ TEST_CASE("rectangles and ellipses have two mirrors, lines too") {
     }
 }
 
-TEST_CASE("four cubics that mean a circle are a circle, and so is a ring; an ellipse is not") {
+TEST_CASE("four cubics that mean a circle are a circle, and so is a ring, and an ellipse is not") {
     CHECK(symmetry(circle()).continuous);
     std::vector<Path> ring = circle();
     ring.push_back(circle(0.4)[0]);

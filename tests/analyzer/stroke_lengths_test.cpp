@@ -62,7 +62,7 @@ TEST_CASE("widths that grow with the copies are one scaling stroke, and so are c
     CHECK_FALSE(equal.looks[1].unit_style.stroke.fixed);
 }
 
-TEST_CASE("two pens on many sizes are two fixed strokes; sizes that differ by rounding are one scaling stroke") {
+TEST_CASE("two pens on many sizes are two fixed strokes, and sizes that differ by rounding are one scaling stroke") {
     std::vector<Element> elements;
     for (int i = 1; i <= 6; ++i) {
         elements.push_back(hook_of(i, 0.4));

@@ -69,7 +69,7 @@ TEST_CASE("Trees are packed into a picture, a grammar that draws the same, place
     CHECK(uses(rendered.out) >= report["placed"].get<std::size_t>());
 }
 
-TEST_CASE("The same command packs the same bytes, at any number of threads; another seed packs others") {
+TEST_CASE("The same command packs the same bytes, at any number of threads, and another seed packs others") {
     const Words words{growth_sample("leather.svg"), "--size", "120,90", "--scale", "0.3,0.5", "--tile"};
     const auto with = [&](Words more) {
         more.insert(more.begin(), words.begin(), words.end());

@@ -262,7 +262,7 @@ TEST_CASE("a branch is dragged to another angle and size") {
     check_near(apply(*pose, handle.local), handle.at + by, 1 / after.canvas.view.zoom);
 }
 
-TEST_CASE("a drag is one step of undo; Esc gives the identical document back") {
+TEST_CASE("a drag is one step of undo, and Esc gives the identical document back") {
     const EditorState before = clicked(opened_text(row), 3);
     EditorState state = held(before, HandleKind::move, {9, 0});
     CHECK(state.preview);

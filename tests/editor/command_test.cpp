@@ -121,7 +121,7 @@ TEST_CASE("chords are read as they are written, and nothing else is") {
     CHECK(parse_chords("Ctrl+Y  nonsense Ctrl+Shift+Z").size() == 2);
 }
 
-TEST_CASE("what is typed into a text field is no command; what does not write is") {
+TEST_CASE("what is typed into a text field is no command, and what does not write is") {
     for (const KeyChord& text : {KeyChord{"A"}, KeyChord{"0"}, KeyChord{"Delete"}, KeyChord{"Z", true}, KeyChord{"V", true},
                                  KeyChord{"Left", true}, KeyChord{"Escape"}})
         CHECK(belongs_to_text(text));

@@ -224,7 +224,7 @@ TEST_CASE("strokes are drawn by dragging, closed where they end near their begin
     CHECK(desk.state.growth.guides->flow.size() == 1);
 }
 
-TEST_CASE("a click on an edge asks for it to be flipped; what cannot be flipped is told and forgotten") {
+TEST_CASE("a click on an edge asks for it to be flipped, and what cannot be flipped is told and forgotten") {
     Desk desk = ready_desk();
     desk.act(TakeBrush{GrowthBrush::flip});
     CHECK_FALSE(shows_grown(desk.state));

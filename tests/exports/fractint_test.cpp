@@ -47,6 +47,6 @@ TEST_CASE("A grammar of fragments only is refused") {
     CHECK_THROWS_AS(fractint_of("axiom: V\nterminal V: box 0 0 1 1; verbatim <<<SVG\n<text>x</text>\nSVG\n"), InputError);
 }
 
-TEST_CASE("A string with a ] too many is refused") {
+TEST_CASE("A string with a closing bracket too many is refused") {
     CHECK_THROWS_WITH(fractint_of("axiom: [A] f(5) A]\n" + stroke), Contains("expected '['"));
 }

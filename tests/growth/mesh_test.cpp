@@ -132,7 +132,7 @@ TEST_CASE("A broken OBJ is refused with its line") {
 }
 
 TEST_CASE(
-    "A GLB holds each mesh once and a node for each instance; the library reads it, and its numbers are the instances'") {
+    "A GLB holds each mesh once and a node for each instance, and the library reads it, and its numbers are the instances'") {
     const MeshAssembly assembly = three_boxes();
     const tinygltf::Model model = read_glb(glb_bytes(assembly));
     REQUIRE(model.meshes.size() == 2);

@@ -24,7 +24,7 @@ std::string region_error(const std::string& shapes) {
 
 }  // namespace
 
-TEST_CASE("every sub-path is a line of its own, without corners that repeat; what has no length is none") {
+TEST_CASE("every sub-path is a line of its own, without corners that repeat, and what has no length is none") {
     const auto lines =
         polylines_of(drawing("<path fill='none' stroke='black' d='M10 10 H50 H50 V90 M5 5 L5 5 M0 0 H10 V10 Z'/>"), 0.1);
     REQUIRE(lines.size() == 2);

@@ -215,7 +215,7 @@ TEST_CASE("Numbers are passed on to a symbol that takes as many, else it keeps i
     CHECK_THAT(text_after(text, {own("Row", "Dot")}, {.fit = ReplaceFit::none}), Contains("axiom: [Dot] [Ring(8)] [Star]"));
 }
 
-TEST_CASE("A single address is an exception; others keep their modules") {
+TEST_CASE("A single address is an exception, and others keep their modules") {
     const std::string text =
         "axiom: Wall(3)\nWall(m) : m > 0 -> [Row(4)] f(40) Wall(m-1)\n"
         "Row(m) : m > 0 -> [Window] -(90) f(30) +(90) Row(m-1)\n"

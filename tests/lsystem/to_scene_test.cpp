@@ -79,7 +79,7 @@ TEST_CASE("a fixed stroke is as wide as it says under every scale") {
     }
 }
 
-TEST_CASE("a use takes the width of a fixed stroke back by its scale; equal ones stay with the definition") {
+TEST_CASE("a use takes the width of a fixed stroke back by its scale, and equal ones stay with the definition") {
     const std::string svg = svg_of(grammar_of("[F] [*(4) F] *(0.25) F"));
     CHECK(count(svg, "<path ") == 1);
     CHECK(count(svg, "<use ") == 3);

@@ -45,7 +45,7 @@ TEST_CASE("divergence and curl of linear vector fields of the plane are exact in
 }
 
 TEST_CASE(
-    "turning about the axis of a sphere has the curl 2 cos and no divergence; flowing down has the divergence -2 cos") {
+    "turning about the axis of a sphere has the curl 2 cos and no divergence, and flowing down has the divergence -2 cos") {
     const SurfaceMesh surface = surface_mesh(sphere_triangles(4));
     const FieldOnSurface turning(surface, vector_field(surface, 1, [](SpacePoint p) { return cross({0, 0, 1}, p); }));
     const FieldOnSurface upward(surface, vector_field(surface, 1, [](SpacePoint p) {

@@ -124,7 +124,7 @@ TEST_CASE("a design in JSON places its elements by vertex or place, turned by a 
     fails(R"([{"type": "wedge", "vertex": 1, "angle": 3, "direction": [1, 0, 0]}])", "not both");
 }
 
-TEST_CASE("every kind of source makes a field; smoothing applies to each") {
+TEST_CASE("every kind of source makes a field, and smoothing applies to each") {
     const SurfaceMesh plane = surface_mesh(plane_triangles(6, 6, 1, 0.2)), sphere = surface_mesh(sphere_triangles(2));
     CHECK(made(plane, "constant", {{"angle", 30}}).exact->angle == Approx(radians(30)));
     CHECK(made(plane, "vortex", {{"x", 3}, {"y", 2}}).exact->centre == Point{3, 2});

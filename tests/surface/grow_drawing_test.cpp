@@ -105,7 +105,7 @@ TEST_CASE("On a flat mesh laid areas are those of the drawing, at the height of 
     }
 }
 
-TEST_CASE("A closed ring laid through one chart on a sphere is regular; none of it is turned over") {
+TEST_CASE("A closed ring laid through one chart on a sphere is regular, and none of it is turned over") {
     const SurfaceMesh sphere = surface_mesh(sphere_triangles(4));
     GrowDrawingOptions options;
     options.scale = 0.1;
@@ -135,7 +135,7 @@ TEST_CASE("A ring walked by the turtle on a sphere misses its begin by pi K r^3"
     CHECK(abs(position_in_space(sphere, stand.at) - begin) == Approx(pi * radius * radius * radius).epsilon(0.1));
 }
 
-TEST_CASE("Elements as large as the radius of curvature lie without a fold; what cannot is dropped and told") {
+TEST_CASE("Elements as large as the radius of curvature lie without a fold, and what cannot is dropped and told") {
     const auto disc = [](double radius) {
         const std::string r = std::to_string(radius);
         return parse_grammar(
@@ -185,7 +185,7 @@ terminal Tile: style 1; path "M-0.4 -0.4L0.4 -0.4L0.4 0.4L-0.4 0.4Z"
     CHECK(once.stopped > 0);
 }
 
-TEST_CASE("A branch ends at a border; what was laid lies whole on the surface") {
+TEST_CASE("A branch ends at a border, and what was laid lies whole on the surface") {
     const SurfaceMesh plane = surface_mesh(plane_triangles(10, 10, 1, 0.2));
     GrowDrawingOptions options;
     options.scale = 1;
@@ -216,7 +216,7 @@ TEST_CASE("Walls stand on the surface and raise the element by the height") {
     CHECK(area(grown.pattern.laid) == Approx(4 + 8 * 0.5).epsilon(1e-9));
 }
 
-TEST_CASE("A lattice along a field on a torus lies without gaps; its neighbours keep their distance") {
+TEST_CASE("A lattice along a field on a torus lies without gaps, and its neighbours keep their distance") {
     const SurfaceMesh torus = surface_mesh(torus_triangles(64, 32, 2, 0.8));
     const Grammar lattice = parse_grammar(R"(lsystem 1
 canvas -1 -1 12 12

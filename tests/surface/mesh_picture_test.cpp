@@ -50,7 +50,7 @@ TEST_CASE("An open plane sees all of the sky, level or slanted, and so does noth
     for (const float sky : open_sky(image, 20)) CHECK(sky == 1);
 }
 
-TEST_CASE("Beside a step it is darker below, not above; far from it it is not") {
+TEST_CASE("Beside a step it is darker below, not above, and far from it it is not") {
     DepthImage image = flat_image(80);
     for (std::size_t i = 0; i < image.depth.size(); ++i) image.depth[i] = i % 80 < 40 ? 8 : 0;
     const std::vector<float> sky = open_sky(image, 12);
@@ -61,7 +61,7 @@ TEST_CASE("Beside a step it is darker below, not above; far from it it is not") 
     CHECK(at(60) == 1);
 }
 
-TEST_CASE("A picture's occlusion darkens the floor beside a block of its own colour; without it both look alike") {
+TEST_CASE("A picture's occlusion darkens the floor beside a block of its own colour, and without it both look alike") {
     const MeshAssembly assembly = block_on_floor();
     const MeshView above{.elevation = pi / 2, .width = 100};
     const Picture plain = mesh_picture(assembly, UpAxis::z, above);

@@ -76,7 +76,7 @@ TEST_CASE("A tube stays one closed body of even thickness through small and shar
     }
 }
 
-TEST_CASE("A merged line ends flat on the line that it met; without length or width there is no tube") {
+TEST_CASE("A merged line ends flat on the line that it met, and without length or width there is no tube") {
     PatternLine line = bent_line({{0, 0}, {4, 0}}, 0.5);
     line.merged = true;
     const NamedMesh tube = line_tube(line, 6);
