@@ -2,14 +2,13 @@
 #include <limits>
 #include <set>
 
+#include "geometry/index.h"
 #include "lsystem/ring.h"
 #include "lsystem/string_numbers.h"
 
 namespace rinceau {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// "axiom.Row", "Wall.Row.2".
 std::string name_of_use(const Grammar& grammar, const LoopUse& use) {

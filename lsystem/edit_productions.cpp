@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/index.h"
 #include "lsystem/fit_box.h"
 #include "lsystem/grammar_names.h"
 #include "lsystem/grammar_text.h"
@@ -13,8 +14,6 @@
 namespace rinceau {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 ModuleTemplate module(const std::string& symbol) { return {symbol, {}, {}}; }
 ModuleTemplate module(const std::string& symbol, double argument) { return {symbol, {number_expression(argument)}, {}}; }

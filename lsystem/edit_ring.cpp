@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "lsystem/constant_values.h"
 #include "lsystem/fit_box.h"
 #include "lsystem/measure_symbol.h"
@@ -19,8 +20,6 @@ namespace {
 
 constexpr double full_circle = 360;
 constexpr double quarter = 90;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool is_command(const ModuleTemplate& module) { return find_turtle_command(module.symbol) != nullptr; }
 

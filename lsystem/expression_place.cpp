@@ -1,10 +1,10 @@
 #include "lsystem/expression_place.h"
 
+#include "geometry/index.h"
+
 namespace rinceau {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// One text for a grammar that may be changed and one that may not.
 template <class SomeGrammar>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/index.h"
 #include "lsystem/noise_form.h"
 #include "lsystem/number_slots.h"
 #include "lsystem/number_text.h"
@@ -16,8 +17,6 @@ namespace {
 constexpr double full_circle = 360;
 constexpr double fewest_elements = 2;
 constexpr double most_elements = 1e6;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool same_use(const LoopUse& a, const LoopUse& b) { return a.string == b.string && a.position == b.position; }
 
@@ -237,12 +236,13 @@ class RingKeeper {
 
     void expect_whole(double elements, double turn) const {
         constexpr double rounding = 1e-6;
-        if (elements >= fewest_elements && elements <= most_elements && std::abs(elements - std::round(elements)) < rounding) return;
-        throw InputError(grammar_.productions[at(loop_.production)].place,
-                         "expected a turn of " + symbol() + " that a whole number of elements closes to a ring, such as " +
-                             number_text(full_circle / std::max(fewest_elements, std::round(std::min(elements, most_elements)))) +
-                             ", found " + number_text(rounded(turn)) +
-                             ": set its count, too, or let the ring open (--open)");
+        if (elements >= fewest_elements && elements <= most_elements && std::abs(elements - std::round(elements)) < rounding)
+            return;
+        throw InputError(
+            grammar_.productions[at(loop_.production)].place,
+            "expected a turn of " + symbol() + " that a whole number of elements closes to a ring, such as " +
+                number_text(full_circle / std::max(fewest_elements, std::round(std::min(elements, most_elements)))) +
+                ", found " + number_text(rounded(turn)) + ": set its count, too, or let the ring open (--open)");
     }
 
     void set_count(const LoopUse& use, double elements) {

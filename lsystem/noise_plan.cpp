@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/index.h"
 #include "lsystem/approach_roles.h"
 #include "lsystem/ring.h"
 #include "lsystem/turtle_commands.h"
@@ -15,8 +16,6 @@ namespace {
 using How = NoisePlace::How;
 
 constexpr double same_heading = 1e-6;  // degrees
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool is_command(const ModuleTemplate& module) { return find_turtle_command(module.symbol) != nullptr; }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "geometry/index.h"
 #include "lsystem/noise_plan.h"
 #include "lsystem/number_slots.h"
 #include "lsystem/numbers.h"
@@ -16,8 +17,6 @@ namespace {
 
 using String = std::vector<ModuleTemplate>;
 using How = NoisePlace::How;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// By kind: the noise, if one is given.
 using Noises = std::map<NoiseKind, Noise>;

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "geometry/index.h"
 #include "lsystem/constant_values.h"
 #include "lsystem/expression_place.h"
 #include "lsystem/interpret.h"
@@ -12,8 +13,6 @@
 namespace rinceau {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::string probe_symbol(std::size_t exception) { return "Probe of an exception " + std::to_string(exception); }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "geometry/index.h"
 #include "lsystem/noise_form.h"
 #include "lsystem/turtle_commands.h"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr double full_circle = 360;
 constexpr double closing_error = 0.1;  // degrees over the whole ring: 7 times 51.43 is meant to close
 constexpr double exact_error = 1e-6;   // degrees, where rounding is no excuse
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Does what stands for the symbol leave the turtle as it is?
 class Stillness {

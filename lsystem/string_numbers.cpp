@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/index.h"
 #include "lsystem/approach_roles.h"
 #include "lsystem/expression_numbers.h"
 #include "lsystem/noise_form.h"
@@ -17,8 +18,6 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double full_turn = 360;
 const std::string normal_help = "standard deviation of the noise";
 const std::string uniform_help = "greatest deviation of the noise to either side";
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void set_kind(GrammarNumber& number, NumberKind kind) {
     number.kind = kind;

@@ -4,14 +4,13 @@
 #include <map>
 #include <utility>
 
+#include "geometry/index.h"
 #include "lsystem/grammar_names.h"
 #include "lsystem/grammar_text.h"
 
 namespace rinceau {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Titles as string_name of the numbers: "Row", "Row.case2".
 std::vector<std::string> production_titles(const Grammar& grammar) {

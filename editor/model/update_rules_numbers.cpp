@@ -4,12 +4,11 @@
 
 #include "editor/model/number_feel.h"
 #include "editor/model/update_rules.h"
+#include "geometry/index.h"
 #include "lsystem/set_numbers.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 const GrammarNumber* number_named(const std::shared_ptr<const RuleSheet>& sheet, const std::string& name) {
     const int index = sheet ? find_number(*sheet, name) : -1;

@@ -3,12 +3,11 @@
 #include <numeric>
 
 #include "editor/model/update_rules.h"
+#include "geometry/index.h"
 #include "lsystem/follow_numbers.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool is_production(const EditorState& state, int index) {
     return index >= 0 && at(index) < state.document.grammar->productions.size();

@@ -8,11 +8,10 @@
 
 #include "editor/panels/number_field.h"
 #include "editor/panels/rules_panel_parts.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool fits(const std::string& filter, const std::string& text) {
     const auto same = [](char a, char b) {

@@ -17,10 +17,6 @@ constexpr double repeat_far = 2.6;        // up to here half
 constexpr std::size_t balance_from = 30;  // elements: shares of fewer are chance
 constexpr double same_cost = 1e-9;        // costs that differ less are the same but for rounding
 
-const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 }  // namespace
 
 ReferenceCharges::ReferenceCharges(const ElementArrangement& arrangement, const GrowthGround& ground, Point at, int except)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/index.h"
 #include "geometry/index_map.h"
 #include "geometry/random.h"
 #include "growth/arrangement/arrange_options.h"
@@ -47,6 +48,11 @@ struct ElementArrangement {
     int births = 0;                   ///< elements placed so far
     std::size_t relaxed = 0;          ///< elements when the whole was relaxed last
 };
+
+inline const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
+    return arrangement.nodes[at(node)];
+}
+inline ArrangementNode& node_of(ElementArrangement& arrangement, int node) { return arrangement.nodes[at(node)]; }
 
 inline bool is_element(const ArrangementNode& node) { return node.reference >= 0 && !node.dead; }
 inline bool is_seed(const ArrangementNode& node) { return node.reference < 0 && !node.dead; }

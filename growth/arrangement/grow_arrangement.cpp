@@ -24,10 +24,6 @@ constexpr std::size_t relax_all_growth =
 constexpr int angle_rounds = 2;
 constexpr std::size_t report_every = 64;  // steps
 
-ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 /// One call of grow().
 class Growing {
   public:

@@ -22,10 +22,6 @@ constexpr double turn_weight =
     0.1;  // against a ring that is turned otherwise than its neighbours, of the weight of distance
 constexpr double outer_weight = 0.5;  // of the second ring against the first
 
-const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 RingNeighbor neighbor_of(const ElementArrangement& arrangement, const GrowthGround& ground, int node, int other) {
     const ArrangementNode& center = node_of(arrangement, node);
     const ArrangementNode& neighbor = node_of(arrangement, other);

@@ -7,13 +7,6 @@ namespace rinceau {
 
 namespace {
 
-ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 void erase_link(ArrangementNode& node, int other) {
     std::erase_if(node.links, [&](const RingLink& link) { return link.other == other; });
 }

@@ -23,9 +23,6 @@ constexpr double crowded = 0.85;     // of the least distance of two kinds: near
 constexpr double pulled = 0.5;       // of the edge: what is nearer to a place than this is pulled into it
 constexpr double too_long = 1.5;     // of the exemplar's: a longer edge gets a seed between (the paper's r_long)
 
-ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
 const ReferenceRing& ring_of(const GrowthGround& ground, int reference) {
     return ground.rings[static_cast<std::size_t>(reference)];
 }

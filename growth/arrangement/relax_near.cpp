@@ -13,10 +13,6 @@ namespace rinceau {
 
 namespace {
 
-const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 std::optional<Point> best_position(const ElementArrangement& arrangement, int node) {
     Point sum;
     int count = 0;

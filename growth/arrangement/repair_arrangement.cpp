@@ -24,10 +24,6 @@ constexpr double along_line = 0.5;          // mean edges between places that ar
 constexpr double most_places = 200'000;     // of these
 constexpr double largest_hole = 4;          // times the exemplar's: what is larger was never meant to be filled
 
-const ArrangementNode& node_of(const ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 double corner_angle(Point before, Point at, Point after) {
     const Point a = before - at;
     const Point b = after - at;

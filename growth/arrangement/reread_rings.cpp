@@ -14,10 +14,6 @@ constexpr double fits = 0.35;              // mean edges
 constexpr double misfit_unmatched = 0.75;  // mean edges: farther, no place is matched
 constexpr double missing_cost = 0.4;       // of the weight of distance, for each place of a whole ring that stays empty
 
-ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 // The new links; those that were there keep their places. Says which elements have the neighbours they had.
 std::vector<char> relink(ElementArrangement& arrangement, const ArrangementMesh& mesh) {
     std::vector<char> unchanged(arrangement.nodes.size(), 0);

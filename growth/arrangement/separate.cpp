@@ -12,10 +12,6 @@ namespace {
 
 constexpr double tolerance = 1e-6;  // of the least distance: what is so near to it is at it
 
-ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 void move_unless_barred(ElementArrangement& arrangement, const GrowthGround& ground, int node, Point to) {
     const ArrangementNode& moved = node_of(arrangement, node);
     if (is_barred(ground, moved.position, to)) return;

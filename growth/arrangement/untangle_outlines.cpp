@@ -21,10 +21,6 @@ constexpr double largest_push = 0.3;  // mean edges, in one round
 
 using ElementPair = std::pair<int, int>;
 
-ArrangementNode& node_of(ElementArrangement& arrangement, int node) {
-    return arrangement.nodes[static_cast<std::size_t>(node)];
-}
-
 std::vector<int> all_elements(const ElementArrangement& arrangement) {
     std::vector<int> elements;
     for (std::size_t i = 0; i < arrangement.nodes.size(); ++i)

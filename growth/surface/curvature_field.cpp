@@ -6,13 +6,12 @@
 
 #include <Eigen/Dense>
 
+#include "geometry/index.h"
 #include "growth/surface/field_filled.h"
 #include "growth/surface/vertex_axes.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// (a b; b c) in the face's frame, with tensor * edge = change of the normal along it.
 std::array<double, 3> face_tensor(const SurfaceMesh& surface, int face) {

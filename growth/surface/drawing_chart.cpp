@@ -5,11 +5,10 @@
 #include <limits>
 
 #include "geometry/box.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Box box_of(const ChartTriangle& triangle) {
     Box box;

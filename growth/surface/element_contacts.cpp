@@ -7,12 +7,11 @@
 #include <optional>
 
 #include "geometry/convex_hull.h"
+#include "geometry/index.h"
 #include "growth/surface/laid_overlaps.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double touch_share = 0.02;       // of the smaller diagonal: a gap that is none
 constexpr double near_share = 0.5;         // of the smaller diagonal

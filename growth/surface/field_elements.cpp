@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "growth/surface/field_filled.h"
 #include "growth/surface/polar_map.h"
 #include "growth/surface/vertex_axes.h"
@@ -43,8 +44,6 @@ constexpr std::array<KindRow, 10> kinds{{{FieldElementKind::regular, "regular", 
 
 constexpr double own_weight = 1e-3;     ///< of a singular element at its own vertex
 constexpr double least_weight = 1e-12;  ///< influence at which an element ends
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 const KindRow& row_of(FieldElementKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
 

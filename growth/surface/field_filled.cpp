@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/index.h"
 #include "scene/input_error.h"
 
 namespace rinceau {
@@ -16,8 +17,6 @@ constexpr double largest_value = 1e100;   ///< products of two of them, and squa
 constexpr double fill_strength = 1e-6;    ///< of the neighbours': too weak to be seen, strong enough to have a direction
 constexpr double least_strength = 1e-12;  ///< of the strongest: products of weaker ones could underflow
 constexpr int smoothing_rounds = 20;      ///< over the filled vertices
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void fail(const SurfaceField& field, const std::string& message) { throw InputError({field.label}, message); }
 

@@ -6,13 +6,12 @@
 
 #include <cmath>
 
+#include "geometry/index.h"
 #include "growth/surface/field_filled.h"
 #include "growth/surface/vertex_axes.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Corner values, in the frame of their face, to the gradient of the function that is linear between them.
 VectorGradient linear_gradient(const SurfaceMesh& surface, int face, const std::array<Complex, 3>& values) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "growth/surface/field_filled.h"
 #include "growth/surface/field_of_numbers.h"
 #include "growth/surface/field_smooth.h"
@@ -15,8 +16,6 @@ namespace rinceau {
 namespace {
 
 using Json = nlohmann::json;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A value of a document and where it stands.
 struct Part {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/index.h"
 #include "growth/surface/shape_sources.h"
 #include "growth/surface/streamlines.h"
 #include "scene/input_error.h"
@@ -13,8 +14,6 @@ namespace {
 // Shares of the spacing: lines stay apart, balls stand out between them.
 constexpr double line_width = 0.3, ball_size = 1.5, arrow_length = 1.6, arrow_width = 1.1, arrow_height = 0.35;
 constexpr Color major_color{52, 66, 82}, minor_color{176, 110, 92};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int arrow_shape = 0, ball_shape = 1;
 

@@ -12,6 +12,7 @@
 #include <complex>
 #include <numeric>
 
+#include "geometry/index.h"
 #include "geometry/random.h"
 #include "growth/surface/field_filled.h"
 #include "growth/surface/polar_map.h"
@@ -22,8 +23,6 @@ namespace {
 
 constexpr double least_cotangent = 1e-3;  ///< of weights: very obtuse pairs of faces would push values apart
 constexpr int most_factored = 150'000;    ///< faces; beyond, filling-in takes longer than iterating
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double cotangent_opposite(const SurfaceMesh& surface, int h) {
     const Complex from_end = edge_vector(surface, next_in_face(h)), from_start = -edge_vector(surface, previous_in_face(h));

@@ -8,14 +8,13 @@
 #include <string>
 #include <utility>
 
+#include "geometry/index.h"
 #include "growth/surface/laid_meshes.h"
 #include "growth/surface/start_place.h"
 #include "growth/surface/terminal_art.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double default_share = 0.5;      // of the surface's diagonal that the drawing's becomes
 constexpr double curve_deviation = 4e-3;   // of an element's radius

@@ -9,11 +9,10 @@
 #include <tuple>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double crease = 40 * pi / 180;  // as in pictures and files of meshes
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/index.h"
+
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double area_of(const std::vector<Point>& polygon) {
     double doubled = 0;

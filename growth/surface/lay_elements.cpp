@@ -5,12 +5,11 @@
 #include <limits>
 #include <map>
 
+#include "geometry/index.h"
 #include "growth/surface/relax_chart.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The smallest stretched corner of a face may lie this much farther out than the place below it.
 constexpr double patch_margin = 1.02;

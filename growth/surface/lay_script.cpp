@@ -10,13 +10,12 @@
 #include <optional>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "growth/surface/laid_overlaps.h"
 #include "growth/surface/lay_whole.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double largest_group = 0.45;        // radius, of the surface's diagonal
 constexpr double stack_size = 1.6;            // what is not larger than this times its largest element is one thing

@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "geometry/box.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A triangle cut by three lines has six corners at most.
 constexpr int most_corners = 9;

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "geometry/index.h"
 #include "growth/joined_sets.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 SpacePoint middle_of(const TriangleMesh& mesh, const std::vector<int>& vertices) {
     SpacePoint sum;

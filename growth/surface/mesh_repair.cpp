@@ -8,13 +8,12 @@
 #include <array>
 #include <map>
 
+#include "geometry/index.h"
 #include "growth/joined_sets.h"
 #include "growth/surface/mesh_faults.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool repeats_a_corner(const std::array<int, 3>& face) {
     return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];

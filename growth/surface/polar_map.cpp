@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 
@@ -35,8 +36,6 @@ constexpr int look_depth = 4;               // faces
 constexpr double smallest_drop = 1e-10;     // of the mean edge: smaller gains are rounding, and would spread without end
 constexpr std::uint32_t most_changes = 64;  // of one label; a few are usual: bounds the work on any input
 constexpr double corner_share = 1e-9;       // of an edge: a source nearer to a corner lies on the vertex
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double distance_from_origin(Complex a, Complex b) {
     const Complex along = b - a;

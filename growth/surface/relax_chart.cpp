@@ -11,12 +11,11 @@
 #include <optional>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "growth/surface/drawing_chart.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2>;

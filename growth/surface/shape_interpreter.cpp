@@ -3,7 +3,8 @@
 //   that was saved before the shape that failed. The paper culls the rest of the string (cull = rule).
 // - A symbol that can only place one thing is derived where it stands (decisive_symbols.h), so that its collision culls too.
 // - A merged shape culls as well: its twin has already grown what would follow.
-// - The parts of a Lock are tested against everything outside of it, not against each other. What comes from a Lock may touch
+// - The parts of a Lock are tested against everything outside of it, not against each other. What comes from a Lock may
+// touch
 //   it as any shape may touch its ancestors, but not the parts of another Lock: those are patterns beside each other.
 #include "growth/surface/shape_interpreter.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/index.h"
 #include "growth/surface/decisive_symbols.h"
 #include "growth/surface/shape_palette.h"
 #include "lsystem/number_text.h"
@@ -20,11 +22,9 @@ namespace rinceau {
 namespace {
 
 constexpr long most_rules_of_a_set = 100'000;
-constexpr int most_shapes_of_a_set = 100'000;  // they are all looked at if they are all in one place
+constexpr int most_shapes_of_a_set = 100'000;             // they are all looked at if they are all in one place
 constexpr double least_size = 1e-15, largest_size = 1e9;  // of a scope, diagonals of the surface
 constexpr int most_at_once = 100;  // symbols derived in each other where they stand: keeps the call stack small
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 template <class Visit>
 void visit_commands(const std::vector<CompiledShapeCommand>& commands, const Visit& visit) {

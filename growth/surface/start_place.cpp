@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double good_stretch = 1.25;  // of a group of elements
 constexpr int places = 60;

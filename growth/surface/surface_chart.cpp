@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/index.h"
+
 namespace rinceau {
 namespace {
 
@@ -13,8 +15,6 @@ namespace {
 constexpr double share_to_corner = 0.5774;
 constexpr double on_edge = 1e-9;    // weights this little below 0 still are in the triangle
 constexpr int most_columns = 4096;  // of a lookup's grid
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct LinearMap {
     Complex a, b;

@@ -9,10 +9,10 @@
 #include <limits>
 #include <numeric>
 
+#include "geometry/index.h"
+
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Of a flat triangle that turns counter-clockwise.
 Complex nearest_in(const std::array<Complex, 3>& flat, Complex p) {

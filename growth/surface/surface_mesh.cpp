@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 SpacePoint corner(const SurfaceMesh& surface, int h) { return surface.mesh.positions[at(start_of(surface, h))]; }
 

@@ -2,13 +2,9 @@
 
 #include <cmath>
 
+#include "geometry/index.h"
+
 namespace rinceau {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 std::array<double, 3> barycentric(const SurfaceMesh& surface, SurfacePoint p) {
     const auto& flat = surface.flat[at(p.face)];
     const double doubled = flat[1].x * flat[2].y;

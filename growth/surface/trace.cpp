@@ -15,6 +15,7 @@
 #include <limits>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "growth/surface/field_filled.h"
 
 namespace rinceau {
@@ -31,8 +32,6 @@ constexpr double no_way = 1e-9;         // a piece shorter than this share of th
 constexpr long least_budget = 2000;
 constexpr double pieces_of_edge = 100, most_edges = 2000;
 constexpr int least_substeps = 4;  // of a move that follows the field in part
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The edge ahead of a point in its face.
 struct EdgeAhead {

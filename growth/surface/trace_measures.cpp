@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 namespace {
 
 constexpr double least_piece = 1e-6;  // of the mean edge: the direction of shorter pieces is rounding
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Complex in_frame(const SurfaceMesh& surface, int face, SpacePoint way) {
     return {dot(way, surface.frame[at(face)][0]), dot(way, surface.frame[at(face)][1])};

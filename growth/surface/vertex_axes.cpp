@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "geometry/index.h"
+
 namespace rinceau {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Any direction at right angles to a normal.
 SpacePoint any_tangent(SpacePoint normal) {
