@@ -42,9 +42,9 @@ std::optional<CommonLinear> common_linear(std::span<const Complex> linears, cons
 }
 
 bool lies_along(double direction, const BodyForm& form) {
-    constexpr double rounding = 1e-9;
+    constexpr double hardly_turned = 1e-9;
     if (form.fold == 0) return true;
-    return form.axis && std::abs(std::remainder(direction + *form.axis, pi / form.fold)) < rounding;
+    return form.axis && std::abs(std::remainder(direction + *form.axis, pi / form.fold)) < hardly_turned;
 }
 
 double median_spacing(std::span<const Point> points) {

@@ -6,13 +6,13 @@
 
 namespace rinceau {
 namespace {
-constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 }  // namespace
 
 SignalsHeld::SignalsHeld() {
     sigset_t held;
     sigemptyset(&held);
-    for (const int signal : ending) sigaddset(&held, signal);
+    for (const int signal : ending_signals) sigaddset(&held, signal);
     pthread_sigmask(SIG_BLOCK, &held, &before_);
 }
 
@@ -21,7 +21,7 @@ SignalsHeld::~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 bool SignalsHeld::waiting() const {
     sigset_t pending;
     sigpending(&pending);
-    for (const int signal : ending) {
+    for (const int signal : ending_signals) {
         if (sigismember(&pending, signal) != 1 || sigismember(&before_, signal) == 1) continue;
         struct sigaction action {};
         sigaction(signal, nullptr, &action);

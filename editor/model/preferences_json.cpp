@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "editor/model/preferences.h"
+#include "exports/json_text.h"
 
 namespace rinceau {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_recent = 12;
 

@@ -10,7 +10,7 @@ namespace {
 using Verb = ShapeVerb;
 using Text = TextArgument;
 
-constexpr std::array commands{
+constexpr std::array known_commands{
     ShapeCommandInfo{Verb::move, "T", Text::none, 1, 3, "T(x, y, z)",
                      "move by (x, y) over the surface, keeping the angle to the field, and by z along the normal"},
     ShapeCommandInfo{Verb::go_straight, "G", Text::none, 1, 3, "G(x, y, z)",
@@ -45,15 +45,17 @@ std::string counted(int number) { return std::to_string(number) + (number == 1 ?
 
 }  // namespace
 
-std::span<const ShapeCommandInfo> shape_commands() { return commands; }
+std::span<const ShapeCommandInfo> shape_commands() { return known_commands; }
 
 const ShapeCommandInfo* find_shape_command(std::string_view word) {
     if (word == "Color") word = "Colour";
-    const auto* found = std::ranges::find(commands, word, &ShapeCommandInfo::word);
-    return found == commands.end() ? nullptr : found;
+    const auto* found = std::ranges::find(known_commands, word, &ShapeCommandInfo::word);
+    return found == known_commands.end() ? nullptr : found;
 }
 
-const ShapeCommandInfo& shape_command(ShapeVerb verb) { return *std::ranges::find(commands, verb, &ShapeCommandInfo::verb); }
+const ShapeCommandInfo& shape_command(ShapeVerb verb) {
+    return *std::ranges::find(known_commands, verb, &ShapeCommandInfo::verb);
+}
 
 std::optional<std::string> wrong_arguments(const ShapeCommandInfo& info, const ShapeCommand& command) {
     const auto found = static_cast<int>(command.arguments.size());

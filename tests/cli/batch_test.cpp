@@ -153,7 +153,7 @@ TEST_CASE("A batch that is killed goes on where it was, with nothing lost and no
 
     Words before;
     std::map<std::string, fs::file_time_type> written;
-    for (const std::size_t kill_at : {3, 8, 13}) {
+    for (const std::size_t kill_at : {3u, 8u, 13u}) {
         const ProgramRun killed = art.run(words, {.signal_when = [&] { return art.journal(rows).size() >= kill_at; }});
         REQUIRE(killed.signal == SIGKILL);
         CHECK(!art.has("t.csv"));

@@ -65,7 +65,7 @@ TEST_CASE("A saved field reads back: to the bit by edges, and to rounding in spa
     REQUIRE(there.size() == back.size());
     double worst = 0;
     for (std::size_t v = 0; v < there.size(); ++v)
-        for (int part = 0; part < 2; ++part)
+        for (std::size_t part = 0; part < 2; ++part)
             worst = std::max(worst, std::abs(there[v][part].get<double>() - back[v][part].get<double>()));
     CHECK(worst < 1e-9);
 }

@@ -22,7 +22,7 @@ TEST_CASE(
                                                                       {"circles_8x10", 0.20}}));
     for (const double jitter : {0.02, 0.05, 0.10, 0.20}) {
         if (jitter > largest) continue;
-        for (const std::uint64_t seed : {101}) {
+        for (const std::uint64_t seed : {101u}) {
             CAPTURE(name, jitter, seed);
             const NoisyScene scene = noisy_scene(name, jitter, seed);
             const Analysis found = analyze(scene.drawn);
@@ -58,7 +58,7 @@ TEST_CASE("Stochastic, a drawing becomes a family whose members differ from what
     CHECK(found.grammar.exceptions.empty());
     CHECK(found.report.check.passed);
     const double drawn = rms_distance(scene.regular, scene.drawn);
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const Scene relative = to_scene(found.grammar, interpret(found.grammar, {.derive = {.seed = seed}}));
         CHECK(relative.elements.size() == scene.regular.elements.size());
         CHECK(rms_distance(scene.regular, drawn_in_order_of(scene.regular, relative)) == Approx(drawn).epsilon(0.25));
@@ -66,7 +66,7 @@ TEST_CASE("Stochastic, a drawing becomes a family whose members differ from what
 }
 
 TEST_CASE("What stands nowhere in particular is in no row and no ring") {
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
         for (const int count : {6, 12, 40, 150}) {
             const Analysis found = analyze(clutter_scene(count, {.seed = seed}).scene);
             CAPTURE(seed, count);

@@ -59,7 +59,7 @@ constexpr Box sector_box{{8, 60}, {24, 160}};
 }  // namespace
 
 TEST_CASE("a sector of two mirrored halves is found as such") {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         Random random(seed);
         Scene scene;
         add_turned(scene, with_mirror_image(motif(6, sector_box, random)), 6);
@@ -149,7 +149,7 @@ TEST_CASE("orbits are what their maps say") {
 }
 
 TEST_CASE("chance has no symmetry") {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         Random random(seed);
         Scene scene;
         for (int k = 0; k < 300; ++k) {

@@ -232,7 +232,7 @@ TEST_CASE("A single address is an exception, and others keep their modules") {
         const EditResult changed = replace_symbols(before, {own("Window", "Door")}, {.at = {{1, 1, 2}}});
         REQUIRE(changed.grammar.exceptions.size() == 1);
         const Placement door = placements_of(changed.grammar, "Door").at(0);
-        CHECK(abs(door.pose.linear / Complex(0.5, 0) - polar(1, radians(5))) < 1e-9);
+        CHECK(abs(door.pose.linear / Complex{0.5, 0} - polar(1, radians(5))) < 1e-9);
     }
     SECTION("a whole row, and the exception in it goes") {
         const EditResult changed = replace_symbols(before, {own("Row", "Door")}, {.at = {{1, 1}}});

@@ -231,8 +231,8 @@ terminal Tile: style 1; path "M-0.95 -0.95L0.95 -0.95L0.95 0.95L-0.95 0.95Z"
     options.start = nearest_vertex(torus, {2.8, 0, 0});
     const FieldOnSurface field(torus, field_of_directions(torus, 4, [](SpacePoint p) {
                                    const double r = std::hypot(p.x, p.y);
-                                   const SpacePoint ring{2 * p.x / r, 2 * p.y / r, 0};
-                                   return DirectionAndNormal{{-p.y / r, p.x / r, 0}, unit(p - ring)};
+                                   const SpacePoint middle{2 * p.x / r, 2 * p.y / r, 0};
+                                   return DirectionAndNormal{{-p.y / r, p.x / r, 0}, unit(p - middle)};
                                }));
     const GrownDrawing grown = grow_drawing(lattice, torus, &field, options);
     CHECK(grown.laid == 36);

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "geometry/index.h"
 #include "growth/surface/mesh_repair.h"
 #include "growth/surface/surface_read.h"
 #include "surface_shapes.h"
@@ -156,7 +157,10 @@ TEST_CASE("Coordinates that are no numbers, meshes in one place and meshes witho
 TEST_CASE("Repair turns the smaller part, and touches nothing else") {
     TriangleMesh mesh = torus_triangles(16, 12, 2, 0.7);
     const TriangleMesh sound = mesh;
-    for (const std::size_t f : {3, 4, 50, 51, 52, 200}) std::swap(mesh.triangles[f][1], mesh.triangles[f][2]);
+    for (const int face : {3, 4, 50, 51, 52, 200}) {
+        auto& corners = mesh.triangles[at(face)];
+        std::swap(corners[1], corners[2]);
+    }
     const MeshRepair repair = repaired_mesh(mesh);
     CHECK(repair.turned_faces == 6);
     CHECK(repair.cut_edges == 0);
