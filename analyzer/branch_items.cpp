@@ -37,6 +37,7 @@ class TreeBuilder {
                 members.push_back(item_of(tree, child, depth - 1));
                 continue;
             }
+            if (rule_.leaves.empty()) continue;  // nodes of depth 0 are not there
             const BranchNode& end = tree.nodes[child];
             for (std::size_t l = 0; l < rule_.leaves.size(); ++l) add(end.items[l], rule_.leaves[l], end.frame);
         }
