@@ -88,7 +88,8 @@ std::optional<Point> GapSampler::draw(const DistanceField& field, Random& random
         if (rest >= sums_[node] && sums_[node + 1] > 0) rest -= sums_[node++];
     }
     const CellWindow cell = cell_of(field, static_cast<int>(node - leaves_), rest);
-    return field.corner(cell.column + random.uniform(), cell.row + random.uniform());
+    const double row = cell.row + random.uniform();  // not as arguments of one call: compilers draw these in either order
+    return field.corner(cell.column + random.uniform(), row);
 }
 
 /// The cell of a block at which the running sum of weights passes `rest`.

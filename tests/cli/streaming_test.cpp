@@ -48,7 +48,9 @@ TEST_CASE("A picture is written in memory that does not grow with it, byte for b
     const ProgramRun large = run_to("render", koch(8), output);
     REQUIRE(large.status == 0);
     CHECK(std::filesystem::file_size(output) > 4'000'000);
+#ifndef RINCEAU_SANITIZED  // the address sanitizer keeps what is freed for a while
     CHECK(large.peak_kib < small.peak_kib + 4 * mebibyte);
+#endif
 }
 
 TEST_CASE("A string that is interrupted or fails far behind its beginning leaves the old file and nothing beside it") {
