@@ -5,6 +5,7 @@
 #include "geometry/index.h"
 
 namespace rinceau {
+
 std::array<double, 3> barycentric(const SurfaceMesh& surface, SurfacePoint p) {
     const auto& flat = surface.flat[at(p.face)];
     const double doubled = flat[1].x * flat[2].y;
