@@ -6,11 +6,11 @@ usage() {
     cat <<'TEXT'
 Usage: ./run.sh [-o FOLDER] [--no-editor] [ART.svg]
 
-Installs what is missing, builds, finds the rules behind ART.svg (default: a sample), prints them, and writes
+Installs what is missing, builds the program, finds the rules behind ART.svg (default: a sample), prints them, and writes
   FOLDER/NAME.lsys  the grammar
   FOLDER/NAME.svg   the picture that the grammar draws
   FOLDER/NAME.png   the same as pixels
-FOLDER is by default the folder out/ of the project. With a display it then opens the editor on ART.svg;
+FOLDER is by default the folder out/ of the project. With a display it then builds the editor and opens it on ART.svg;
   --no-editor   does not
 TEXT
 }
@@ -36,12 +36,15 @@ install_packages "${build_packages[@]}"
 
 log=$root/build/release.log
 mkdir -p "$root/build"
-say "Building (the first time takes a few minutes; details in $log)"
-if ! (cd "$root" && cmake --preset release && cmake --build --preset release --parallel "$(nproc)") >"$log" 2>&1; then
+build() {  # TARGET
+    (cd "$root" && cmake --preset release && cmake --build --preset release --parallel "$(nproc)" --target "$1") >"$log" 2>&1 &&
+        return 0
     tail -n 40 "$log" >&2
     is_debian || say_what_to_install "${build_packages[@]}"
     exit 1
-fi
+}
+say "Building (the first time takes a few minutes; details in $log)"
+build rinceau
 
 name=$(basename -- "$art")
 name=${name%.*}
@@ -55,6 +58,7 @@ case $art in -*) art=./$art ;; esac
 printf '\nThe grammar:  %s\nIts picture:  %s\n              %s\n' "$folder/$name.lsys" "$folder/$name.svg" "$folder/$name.png"
 
 [ "$editor" = yes ] && [ -n "${DISPLAY-}${WAYLAND_DISPLAY-}" ] || exit 0
-say 'Opening the editor (./run.sh --no-editor does not)'
+say 'Building the editor, and opening it (./run.sh --no-editor does neither)'
+build rinceau-editor
 # What was asked for is done: a display that does not work is told, and is no failure.
 "$rinceau" edit "$art" || true

@@ -51,7 +51,7 @@ if [ -z "$program" ] && [ ! -x "$built" ]; then
     program=$(command -v rinceau || true)
     if [ -z "$program" ]; then
         # run.sh installs what the build needs, and builds
-        "$root/run.sh" -o "$root/out" >/dev/null
+        "$root/run.sh" --no-editor -o "$root/out" >/dev/null
     fi
 fi
 program=${program:-$built}

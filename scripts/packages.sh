@@ -15,7 +15,7 @@ fuzz_packages=(clang libclang-rt-14-dev llvm)  # on top of what it takes to buil
 # On top of those of the tests: for the sanitizers, for the lines that run, for clang-tidy.
 sanitize_packages=(clang libclang-rt-14-dev llvm)
 coverage_packages=(gcovr)
-tidy_packages=(clang clang-tidy git)
+tidy_packages=(clang clang-tidy python3)
 
 # For the benchmarks (docs/benchmarks.md), on top of what it takes to build: Google Benchmark, and programs to compare with.
 bench_packages=(libbenchmark-dev python3 contextfree inkscape python3-lxml python3-cssselect scour librsvg2-bin)

@@ -1,25 +1,37 @@
 #!/usr/bin/env bash
-# Reads every source of the product with clang-tidy (.clang-tidy), as many at a time as there are processors.
-#   scripts/tidy.sh [PATTERN]    only paths in which the regular expression is found, such as analyzer/
-# The last line reads "N clean, M not"; the exit status is 0 only if M = 0.
+# Reads every source of the product with clang-tidy (.clang-tidy), eight sources as one, as many of these at a time as there
+# are processors.
+#   scripts/tidy.sh [PATTERN]    only groups with a path in which the regular expression is found, such as analyzer/
+# Prints what clang-tidy says, once each. The last line reads "N sources, M warnings"; the exit status is 0 only if M = 0.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 . scripts/packages.sh
 install_packages "${build_packages[@]}" "${tidy_packages[@]}"
 cmake --preset tidy >/dev/null
+export pattern=${1-.}
 
 log=build/tidy/log
 rm -rf "$log"
 mkdir -p "$log"
-read_one() {  # SOURCE
-    local own=$1.txt
-    own=build/tidy/log/${own//\//_}
-    clang-tidy -p build/tidy --quiet --warnings-as-errors='*' "$1" >"$own" 2>/dev/null && rm "$own" || cat "$own"
+# The paths of the sources that are compiled as one in FILE: its own, unless CMake wrote it.
+sources_of() {  # FILE
+    case $1 in
+        */Unity/*) sed -nE 's/^#include "(.*\.cpp)"$/\1/p' "$1" ;;
+        *) printf '%s\n' "$1" ;;
+    esac | sed "s|^$PWD/||"
 }
-export -f read_one
-git ls-files '*.cpp' ':!tests' ':!docs' | { grep -E -- "${1-.}" || true; } |
-    tee build/tidy/sources | xargs -P "$(nproc)" -I{} bash -c 'read_one {}'
-faulty=$(find "$log" -type f | wc -l)
-printf '%d clean, %d not\n' $(($(wc -l <build/tidy/sources) - faulty)) "$faulty"
-[ "$faulty" -eq 0 ]
+read_one() {  # FILE
+    local own=build/tidy/log/${1//\//_}
+    sources_of "$1" | grep -qE -- "$pattern" || return 0
+    sources_of "$1" >"$own.sources"
+    clang-tidy -p build/tidy --quiet "$1" >"$own.said" 2>"$own.errors" || cat "$own.errors" >>"$own.said"
+}
+export -f read_one sources_of
+python3 -c 'import json; print("\n".join(row["file"] for row in json.load(open("build/tidy/compile_commands.json"))))' |
+    xargs -P "$(nproc)" -I{} bash -c 'read_one {}'
+cat "$log"/*.said | sed "s|$PWD/||g" >build/tidy/said
+awk '/: (warning|error): / { shown = !seen[$0]++ } shown' build/tidy/said
+warnings=$(grep -E ': (warning|error): ' build/tidy/said | sort -u | wc -l)
+printf '%d sources, %d warnings\n' "$(cat "$log"/*.sources | wc -l)" "$warnings"
+[ "$warnings" -eq 0 ]
