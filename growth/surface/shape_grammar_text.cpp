@@ -73,10 +73,16 @@ std::string where_text(const ShapeAxiom& axiom) {
     return "each " + axiom.field;
 }
 
-/// Numbers stand side by side there: what is more than one operand is in parentheses.
-std::string operand_text(const Expression& expression) {
-    const bool operand = expression.postfix.size() == 1;
-    return operand ? to_text(expression) : '(' + to_text(expression) + ')';
+/// Numbers stand side by side there: what is more than one operand is in parentheses, and so is a name before a parenthesis,
+/// or it would read as a function.
+std::string operands_text(const std::vector<Expression>& expressions) {
+    std::string text;
+    for (auto expression = expressions.rbegin(); expression != expressions.rend(); ++expression) {
+        const bool name = expression->postfix.front().op == Expression::Op::name;
+        const bool operand = expression->postfix.size() == 1 && !(name && text.starts_with(" ("));
+        text.insert(0, operand ? ' ' + to_text(*expression) : " (" + to_text(*expression) + ')');
+    }
+    return text;
 }
 
 }  // namespace
@@ -107,9 +113,7 @@ std::string statement_text(const ShapeRule& rule) {
 }
 
 std::string statement_text(const ShapeAxiom& axiom) {
-    std::string text = "axiom " + where_text(axiom);
-    for (const Expression& number : axiom.numbers) text += ' ' + operand_text(number);
-    return text + ' ' + commands_text(axiom.commands);
+    return "axiom " + where_text(axiom) + operands_text(axiom.numbers) + ' ' + commands_text(axiom.commands);
 }
 
 std::string to_text(const ShapeGrammar& grammar) {

@@ -79,6 +79,13 @@ TEST_CASE("a shape grammar's text is read again as it was written") {
           "Leaf(s) : near(\"leaf\") > u && F1.vector1.x >= 0 ~ S(s) Line LineSeg(u, 0.1*u)");
 }
 
+TEST_CASE("a name before a number in parentheses is not read again as a function") {
+    const std::string text = "param u = 1\naxiom nearest (u) (-u) (u) A\n";
+    const ShapeGrammar grammar = parse_shape_grammar(text);
+    CHECK(statement_text(grammar.axioms[0]) == "axiom nearest (u) (-u) u A");
+    CHECK(to_text(parse_shape_grammar(to_text(grammar))) == to_text(grammar));
+}
+
 TEST_CASE("a name before a colon is a rule's name only if a symbol follows") {
     CHECK(only_rule("a : B ~ I(\"x\")").symbol == "B");
     CHECK(only_rule("a : B(n) : n > 2 ~").id == "a");
