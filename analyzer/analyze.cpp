@@ -74,6 +74,14 @@ bool looks_the_same(const Drawing& drawing, const Proof& proof, int threads, con
     return same_picture(drawing.scene, to_scene(proof.grammar, interpret(proof.grammar)), exchanged, threads, progress);
 }
 
+std::vector<int> united(std::vector<int> numbers, const std::vector<int>& others) {
+    numbers.insert(numbers.end(), others.begin(), others.end());
+    std::ranges::sort(numbers);
+    const auto repeats = std::ranges::unique(numbers);
+    numbers.erase(repeats.begin(), repeats.end());
+    return numbers;
+}
+
 }  // namespace
 
 Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
@@ -83,7 +91,13 @@ Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
 }
 
 Analysis analyze(const Scene& scene, const AnalyzeOptions& options, const Progress& progress) {
-    return analyze(prepare_drawing(scene, options, progress), options, progress);
+    Analysis analysis = analyze(prepare_drawing(scene, options, progress), options, progress);
+    if (analysis.report.check.passed || analysis.report.check.faulty.empty()) return analysis;
+    // Elements that not even a list of copies draws closely enough are nobody's copies.
+    AnalyzeOptions careful = options;
+    careful.alone = united(options.alone, analysis.report.check.faulty);
+    Analysis again = analyze(prepare_drawing(scene, careful, progress), careful, progress);
+    return again.report.check.passed ? again : analysis;
 }
 
 Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options, const Progress& progress) {

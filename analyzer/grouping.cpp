@@ -62,6 +62,16 @@ void renumber_looks(Instancing& instancing) {
     instancing.looks = std::move(ordered);
 }
 
+/// The look that stands for nothing but this element. An element's pose stays; nothing is known of its symmetry.
+Look look_of(const Element& element, const Similarity& pose) {
+    Look own;
+    const Similarity back = inverse(pose);
+    own.paths = transformed(element.paths, back);
+    own.unit_style = transformed(element.style, back);
+    own.verbatim = element.verbatim;
+    return own;
+}
+
 }  // namespace
 
 std::vector<GroupingWish> effective_wishes(std::span<const GroupingWish> wishes) {
@@ -87,6 +97,20 @@ Scene with_merged_elements(Scene scene, Instancing instancing, std::span<const G
 Instancing with_split_looks(Instancing instancing, std::span<const GroupingWish> wishes) {
     for (const GroupingWish& wish : wishes)
         if (wish.kind == GroupingKind::apart) split(instancing, groupable(wish, instancing));
+    renumber_looks(instancing);
+    return instancing;
+}
+
+Instancing with_lone_elements(Instancing instancing, const Scene& scene, std::span<const int> elements) {
+    for (const int element : elements) {
+        const auto e = static_cast<std::size_t>(element);
+        Instance& instance = instancing.instances[e];
+        Look own = look_of(scene.elements[e], instance.pose);
+        own.shape = instancing.shapes++;
+        own.style = instancing.styles++;
+        instance = {static_cast<int>(instancing.looks.size()), instance.pose, 0};
+        instancing.looks.push_back(std::move(own));
+    }
     renumber_looks(instancing);
     return instancing;
 }

@@ -31,4 +31,7 @@ Scene with_merged_elements(Scene scene, Instancing instancing, std::span<const G
 /// Elements that shall be apart have looks, and shapes, of their own.
 Instancing with_split_looks(Instancing instancing, std::span<const GroupingWish> wishes);
 
+/// Each of these elements, by index in the scene, is a look of its own and drawn exactly as it is: no copy of another.
+Instancing with_lone_elements(Instancing instancing, const Scene& scene, std::span<const int> elements);
+
 }  // namespace rinceau

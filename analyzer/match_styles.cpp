@@ -25,9 +25,15 @@ bool same_share(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// With strokes of equal lengths.
-bool same_unit_style(const Style& a, const Style& b) {
-    return same_style(a, b, style_tolerance) && (!paints_stroke(a) || a.stroke.fixed == b.stroke.fixed);
+bool is_stretched(const Stroke& stroke) { return stroke.pen != Linear2{}; }
+
+/// With strokes of equal lengths, but for those of stretched pens: how wide these draw shows sooner than where a gradient
+/// lies.
+bool same_unit_style(const Style& a, const Style& b, double pen_tolerance) {
+    if (!same_style(a, b, style_tolerance)) return false;
+    if (!paints_stroke(a)) return true;
+    const bool stretched = is_stretched(a.stroke) || is_stretched(b.stroke);
+    return a.stroke.fixed == b.stroke.fixed && (!stretched || same_pen(a.stroke, b.stroke, pen_tolerance));
 }
 
 bool same_lengths(const Style& a, const Style& b) {
@@ -84,7 +90,7 @@ std::vector<StrokeLengths> find_stroke_lengths(const Scene& scene, const ShapeMa
         if (match.shape < 0 || !paints_stroke(style)) continue;
         const bool is_dot = shapes.classes[static_cast<std::size_t>(match.shape)].dots;  // its size is its width
         strokes.push_back({match.shape, stroke_kind(style), style.stroke.width, dash_period(style.stroke),
-                           scale_of(match.pose), is_dot || style.stroke.pen != Linear2{}});
+                           scale_of(match.pose), is_dot || is_stretched(style.stroke)});
         elements.push_back(i);
     }
     const std::vector<StrokeLengths> found = common_stroke_lengths(strokes, smallest_seen * drawing_diagonal(scene));
@@ -169,7 +175,8 @@ SymmetryGroup square_symmetry() {
 
 class StyleMatcher {
   public:
-    StyleMatcher(const Scene& scene, const ShapeMatching& shapes) : scene_(scene), shapes_(shapes) {}
+    StyleMatcher(const Scene& scene, const ShapeMatching& shapes)
+        : scene_(scene), shapes_(shapes), least_seen_(smallest_seen * drawing_diagonal(scene)) {}
 
     StyleMatching run() && {
         const std::vector<StrokeLengths> lengths = find_stroke_lengths(scene_, shapes_);
@@ -210,6 +217,9 @@ class StyleMatcher {
         found_look(index, element);
     }
 
+    /// In unit lengths of an element with this pose.
+    double pen_tolerance(const Similarity& pose) const { return std::min(style_tolerance, least_seen_ / scale_of(pose)); }
+
     static Hash look_hash(const StyledElement& element) {
         const Hash shape = mixed(style_hash(element.unit_style), static_cast<Hash>(element.shape));
         return mixed(mixed(shape, static_cast<Hash>(element.lengths)), element.form.starts.size());
@@ -223,12 +233,13 @@ class StyleMatcher {
         if (!same_form(look.form, element.form)) return std::nullopt;
         const Similarity& reference = result_.instances[static_cast<std::size_t>(look.first)].pose;
         std::optional<Similarity> best;
-        if (!element.oriented() && !same_unit_style(look.unit_style, element.unit_style)) return best;
+        const double pen = pen_tolerance(element.pose);
+        if (!element.oriented() && !same_unit_style(look.unit_style, element.unit_style, pen)) return best;
         for (const Similarity& gauge : gauges(element, first_axes_[static_cast<std::size_t>(look_index)])) {
             const Similarity pose = element.pose * gauge;
             if (best && !cleaner(pose, *best, reference)) continue;
             if (element.oriented()) {
-                if (!same_unit_style(look.unit_style, transformed(element.unit_style, inverse(gauge)))) continue;
+                if (!same_unit_style(look.unit_style, transformed(element.unit_style, inverse(gauge)), pen)) continue;
                 if (!same_starts(look.form, gauge, element.form, style_tolerance)) continue;
             }
             best = pose;
@@ -267,7 +278,7 @@ class StyleMatcher {
         lengths_.push_back(clean.lengths);
     }
 
-    static SymmetryGroup look_symmetry(const StyledElement& element, const ShapeClass& shape) {
+    SymmetryGroup look_symmetry(const StyledElement& element, const ShapeClass& shape) const {
         if (!element.form.starts.empty()) return {};
         if (is_upright(shape, element.unit_style)) return square_symmetry();
         if (!element.oriented()) return shape.symmetry;
@@ -278,7 +289,8 @@ class StyleMatcher {
         }
         SymmetryGroup group;
         for (std::size_t i = 1; i < candidates.size(); ++i)
-            if (same_unit_style(element.unit_style, transformed(element.unit_style, candidates[i])))
+            if (same_unit_style(element.unit_style, transformed(element.unit_style, candidates[i]),
+                                pen_tolerance(element.pose)))
                 group.elements.push_back(candidates[i]);
         return group;
     }
@@ -290,13 +302,14 @@ class StyleMatcher {
         const Hash hash = mixed(style_hash(style), static_cast<Hash>(std::llround(width)));
         std::vector<std::pair<int, Style>>& alike = styles_by_hash_[hash];
         for (const auto& [number, other] : alike)
-            if (same_lengths(other, style) && same_unit_style(other, style)) return number;
+            if (same_lengths(other, style) && same_unit_style(other, style, style_tolerance)) return number;
         alike.push_back({styles_, style});
         return styles_++;
     }
 
     const Scene& scene_;
     const ShapeMatching& shapes_;
+    double least_seen_;  ///< scene length
     std::unordered_map<Hash, std::vector<int>> looks_by_hash_;
     std::unordered_map<Hash, std::vector<std::pair<int, Style>>> styles_by_hash_;
     std::vector<std::vector<double>> first_axes_;  ///< of each look: axes of its unit style

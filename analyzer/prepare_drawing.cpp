@@ -40,7 +40,8 @@ Instancing grouped(PreparedDrawing& prepared, const AnalyzeOptions& options, con
         prepared.scene = prepared.meant.get();
         found = group_similar_elements(*prepared.scene, similarity, progress);
     }
-    return wishes.empty() ? found : with_split_looks(std::move(found), wishes);
+    if (!wishes.empty()) found = with_split_looks(std::move(found), wishes);
+    return options.alone.empty() ? found : with_lone_elements(std::move(found), *prepared.scene, options.alone);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct AnalyzeOptions {
     /// symmetrize.
     bool stochastic = false;
     std::vector<GroupingWish> grouping;  ///< elements that shall be, or shall not be, copies of each other
+    std::vector<int> alone;  ///< elements, by index, that are nobody's copies and drawn exactly as they are; no repeats
     int threads = 0;                     ///< 0 = one per processor; the result is the same for any number
 };
 

@@ -90,10 +90,9 @@ bool same_dashes(const Stroke& a, const Stroke& b, double tolerance) {
 }
 
 bool same_outline_stroke(const Stroke& a, const Stroke& b, double tolerance) {
-    const auto scaled = [](const Linear2& m, double k) { return Linear2{k * m.a, k * m.b, k * m.c, k * m.d}; };
     const bool same_miter = a.join != LineJoin::miter || near(a.miter_limit, b.miter_limit, share_tolerance * a.miter_limit);
     return a.cap == b.cap && a.join == b.join && same_miter && same_paint(a.paint, b.paint, tolerance) &&
-           same_ellipse(scaled(a.pen, a.width), scaled(b.pen, b.width), tolerance) && same_dashes(a, b, tolerance);
+           same_pen(a, b, tolerance) && same_dashes(a, b, tolerance);
 }
 
 bool paints(const Paint& paint) { return !std::holds_alternative<NoPaint>(paint); }
@@ -140,6 +139,11 @@ bool same_style(const Style& a, const Style& b, double tolerance) {
     return a.stroke_first == b.stroke_first && near(a.opacity, b.opacity, share_tolerance) &&
            near(a.fill_opacity, b.fill_opacity, share_tolerance) &&
            near(a.stroke.opacity, b.stroke.opacity, share_tolerance);
+}
+
+bool same_pen(const Stroke& a, const Stroke& b, double tolerance) {
+    const auto scaled = [](const Linear2& m, double k) { return Linear2{k * m.a, k * m.b, k * m.c, k * m.d}; };
+    return same_ellipse(scaled(a.pen, a.width), scaled(b.pen, b.width), tolerance);
 }
 
 }  // namespace rinceau

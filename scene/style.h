@@ -99,4 +99,7 @@ Style transformed(const Style& style, const Similarity& map);
 /// colours exactly. In this frame: whether a stroke is fixed does not count.
 bool same_style(const Style& a, const Style& b, double tolerance);
 
+/// Is a line drawn equally wide by both in every direction, but for `tolerance` (unit lengths) and rounding?
+bool same_pen(const Stroke& a, const Stroke& b, double tolerance);
+
 }  // namespace rinceau

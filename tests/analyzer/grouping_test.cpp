@@ -87,3 +87,39 @@ TEST_CASE("the later wish about an element holds") {
 TEST_CASE("wishes about elements that there are not are passed over") {
     CHECK(analysed({{GroupingKind::together, {-1, 99}}, {GroupingKind::apart, {1000}}}).grammar.terminals.size() == 2);
 }
+
+TEST_CASE("elements that are alone are drawn exactly as they are") {
+    Scene scene = two_rows();
+    const Instancing copies = group_similar_elements(scene);
+    scene.elements[3].paths.front().start.x += 0.01;
+    const std::vector<int> alone{3};
+    const Instancing found = with_lone_elements(copies, scene, alone);
+    REQUIRE(found.looks.size() == copies.looks.size() + 1);
+    const Instance& instance = found.instances[3];
+    const Look& own = found.looks[static_cast<std::size_t>(instance.look)];
+    CHECK(std::ranges::count(found.instances, instance.look, &Instance::look) == 1);
+    CHECK(own.shape != copies.looks.front().shape);
+    const Path drawn = transformed(own.paths, instance.pose).front();
+    CHECK(abs(drawn.start - scene.elements[3].paths.front().start) < 1e-9);
+}
+
+TEST_CASE("what a list of copies would not redraw is nobody's copy, and the rules for the rest stay") {
+    // Hard edges of colour, in the last of the tiles half a unit further on: alike as looks are, seen all the same.
+    constexpr double size = 160;
+    Gradient edge;
+    edge.kind = GradientKind::linear;
+    edge.stops = {{0, {255, 0, 0}, 1}, {0.5, {255, 0, 0}, 1}, {0.5, {0, 0, 255}, 1}, {1, {0, 0, 255}, 1}};
+    Scene scene{{{-100, -100}, {1000, 100}}, true, {}};
+    for (int k = 0; k < columns; ++k) {
+        Element tile = element(rectangle(size, size), filled({}));
+        edge.map = {size, 0, 0, size, -size / 2 + (k + 1 == columns ? 0.5 : 0), 0};
+        tile.style.fill = std::make_shared<const Gradient>(edge);
+        scene.elements.push_back(placed(tile, translate({170.0 * k, 0})));
+    }
+    REQUIRE(group_similar_elements(scene).looks.size() == 1);
+    REQUIRE_FALSE(analyze(prepare_drawing(scene)).report.check.passed);
+    const Analysis found = analyze(scene);
+    CHECK(found.report.check.passed);
+    CHECK(found.grammar.terminals.size() == 2);
+    CHECK(found.report.productions.size() == 1);
+}

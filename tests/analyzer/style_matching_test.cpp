@@ -46,8 +46,8 @@ std::vector<Element> copies(const Element& original, int count, Random& random) 
 }  // namespace
 
 TEST_CASE("one shape in two colours is two looks of one shape, and a style is shared between shapes") {
-    const Instancing found = grouped({element(hook(), filled({255, 0, 0})), element(hook(), filled({0, 0, 255})),
-                                      element(leaf(), filled({0, 0, 255}))});
+    const Instancing found = grouped(
+        {element(hook(), filled({255, 0, 0})), element(hook(), filled({0, 0, 255})), element(leaf(), filled({0, 0, 255}))});
     REQUIRE(found.looks.size() == 3);
     CHECK(found.shapes == 2);
     CHECK(found.styles == 2);
@@ -146,4 +146,16 @@ TEST_CASE("a gap at the end of a stroke counts, a round joint hides it") {
     style.stroke.cap = LineCap::round;
     style.stroke.join = LineJoin::round;
     CHECK(grouped({element(rectangle(2, 1), style), element({open}, style)}).looks.size() == 1);
+}
+
+TEST_CASE("a stretched pen fixes the turn of a shape as soon as its width shows") {
+    const auto hooked = [](double turn, const Linear2& pen) {
+        Element drawn = element(transformed(hook(), rotate(turn) * scale_by(40)), stroked({}, 3));
+        drawn.style.stroke.pen = pen;
+        return drawn;
+    };
+    const Linear2 seen{1.04, 0, 0, 0.97}, unseen{1.002, 0, 0, 0.999};
+    CHECK(grouped({hooked(0, seen), hooked(pi / 2, seen)}).looks.size() == 2);
+    CHECK(grouped({hooked(0, seen), hooked(0, seen)}).looks.size() == 1);
+    CHECK(grouped({hooked(0, unseen), hooked(pi / 2, unseen)}).looks.size() == 1);
 }
