@@ -1,5 +1,7 @@
 #include "analyzer/evaluate.h"
 
+#include <math.h>  // lgamma_r, of POSIX
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -170,6 +172,12 @@ double chance_of_link(const SearchState& state, const Hypothesis& hypothesis) {
     return std::min(0.5, density * area) * std::exp2(-cost.angle_bits - cost.scale_bits);
 }
 
+/// std::lgamma would tell the sign in a variable that all threads share.
+double log2_gamma(double x) {
+    int sign = 0;
+    return ::lgamma_r(x, &sign) / std::log(2.0);
+}
+
 }  // namespace
 
 /// Expected number, as a power of two, of such findings in a drawing without structure: the first link is anyone's (the
@@ -181,7 +189,7 @@ double log2_chance(const SearchState& state, const Hypothesis& hypothesis, doubl
     const double beginnings = static_cast<double>(state.alive(hypothesis.from).size());
     return std::log2(std::max(1.0, hypothesis.votes_in_space)) +
            std::max(0.0, links - given) * std::log2(chance_of_link(state, hypothesis)) +
-           (chains - 1) * std::log2(beginnings) - std::lgamma(chains) / std::log(2.0);
+           (chains - 1) * std::log2(beginnings) - log2_gamma(chains);
 }
 
 namespace {
