@@ -20,7 +20,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+#ifdef RINCEAU_SANITIZED
+constexpr std::chrono::seconds longest_run{240};
+#else
 constexpr std::chrono::seconds longest_run{60};
+#endif
 constexpr rlim_t memory_bytes = rlim_t{1} << 30;
 constexpr int not_started = 127;
 

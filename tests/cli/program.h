@@ -50,7 +50,7 @@ struct ProgramOptions {
 };
 
 /// Runs rinceau with these arguments, in at most a gigabyte of address space (more under sanitizers, which need it). What
-/// takes longer than a minute is ended by SIGKILL.
+/// takes longer than a minute (four under sanitizers) is ended by SIGKILL.
 ProgramRun run_rinceau(const std::vector<std::string>& arguments, const ProgramOptions& options = {});
 
 /// The lines of a page of the project, in its blocks ```sh, that start the program: each as words without its name.
