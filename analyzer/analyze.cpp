@@ -77,8 +77,7 @@ bool looks_the_same(const Drawing& drawing, const Proof& proof, int threads, con
 std::vector<int> united(std::vector<int> numbers, const std::vector<int>& others) {
     numbers.insert(numbers.end(), others.begin(), others.end());
     std::ranges::sort(numbers);
-    const auto repeats = std::ranges::unique(numbers);
-    numbers.erase(repeats.begin(), repeats.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     return numbers;
 }
 

@@ -49,11 +49,12 @@ struct AnalysisReport {
 };
 
 struct Analysis {
-    Grammar grammar;  ///< has passed its check, or is the flat list of all elements, which always does; see symmetrize
+    Grammar grammar;  ///< report.check says whether it has passed: if no rules did, this is the list of all elements
     AnalysisReport report;
 };
 
-/// Throws LimitError for drawings over 5,000,000 elements.
+/// Throws LimitError for drawings over 5,000,000 elements. Elements that no list of copies would redraw closely enough are
+/// nobody's copies: what comes back has passed its check but for drawings whose numbers exceed what doubles can tell apart.
 Analysis analyze(const Scene& scene, const AnalyzeOptions& options = {}, const Progress& progress = {});
 
 /// The same for a drawing that was prepared: with other weights or another objective in much less time. The rest of the

@@ -42,7 +42,7 @@ Tint commonest(std::vector<Tint> values) {
 /// a*x + b
 std::string linear_text(Tint a, const std::string& x, Tint b) {
     if (a == 0) return std::to_string(b);
-    const std::string product = std::abs(a) == 1 ? x : std::to_string(std::abs(a)) + "*" + x;
+    std::string product = std::abs(a) == 1 ? x : std::to_string(std::abs(a)) + "*" + x;
     if (a < 0) return b == 0 ? "-" + product : std::to_string(b) + " - " + product;
     if (b == 0) return product;
     return product + (b > 0 ? " + " : " - ") + std::to_string(std::abs(b));
@@ -315,10 +315,10 @@ class PatternSearch {
     void try_period(int period) {
         const std::string& m = column_.counter;
         const auto offer_cycle = [&](const std::vector<Tint>& table, const std::string& x, bool sum, const auto& phase,
-                                     std::vector<Tint> parameter) {
+                                     const std::vector<Tint>& parameter) {
             if (const auto text = cycle_text(table, x, sum)) {
                 offer(*text, [&](const TintUse& use) { return table[static_cast<std::size_t>(modulo(phase(use), period))]; },
-                      std::move(parameter));
+                      parameter);
             }
         };
         const auto plain = [](const TintUse& use) -> Tint { return use.m; };

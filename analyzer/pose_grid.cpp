@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/box.h"
+#include "geometry/index.h"
 
 namespace rinceau {
 
@@ -107,7 +108,7 @@ std::optional<PoseMatch> PoseGrid::find(const Similarity& predicted, double dist
     if (!std::isfinite(reach) || !std::isfinite(p.x) || !std::isfinite(p.y)) return best;
     const int x0 = column(p.x - reach), x1 = column(p.x + reach), y1 = row(p.y + reach);
     for (int y = row(p.y - reach); y <= y1; ++y) {
-        const auto first = static_cast<std::size_t>(y * columns_ + x0), last = static_cast<std::size_t>(y * columns_ + x1);
+        const std::size_t first = table_index(y, x0, columns_), last = table_index(y, x1, columns_);
         for (int k = begin_[first]; k < begin_[last + 1]; ++k) {
             consider(places_[static_cast<std::size_t>(k)], predicted, reach, turn, best);
         }

@@ -270,9 +270,9 @@ std::vector<Hypothesis> propose_groups(const SearchState& state, const std::vect
     for (const int i : items) {
         for (const Neighbor& neighbour : tree.nearest(state.item(i).pose.translation, neighbours_in_scene + 1)) {
             const int j = living[neighbour.index];
-            const int pi_ = state.item(i).part, pj = state.item(j).part;
-            if (pi_ == pj) continue;
-            const bool i_leads = leads(state, pi_, pj);
+            const int part_of_i = state.item(i).part, part_of_j = state.item(j).part;
+            if (part_of_i == part_of_j) continue;
+            const bool i_leads = leads(state, part_of_i, part_of_j);
             const int from = i_leads ? i : j, to = i_leads ? j : i;
             const Part& from_part = state.part(state.item(from).part);
             const Part& to_part = state.part(state.item(to).part);

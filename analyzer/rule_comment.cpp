@@ -194,7 +194,7 @@ bool is_mirrored_whole(const Part& part) {
 
 /// "two mirror halves A" or "two mirror halves A with B and C"
 std::string halves_comment(const Part& part, const std::vector<std::string>& names) {
-    const std::string text = "two mirror halves " + names[static_cast<std::size_t>(part.children.front().part)];
+    std::string text = "two mirror halves " + names[static_cast<std::size_t>(part.children.front().part)];
     if (part.children.size() == 2) return text;
     Part rest;
     rest.children.assign(part.children.begin() + 2, part.children.end());

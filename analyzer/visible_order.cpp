@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/index.h"
+
 namespace rinceau {
 namespace {
 
@@ -99,7 +101,7 @@ bool more_than_specks(const std::vector<char>& marks, int columns, int rows) {
             int marked = 0;
             for (int j = -half_neighborhood; j <= half_neighborhood; ++j) {
                 for (int i = -half_neighborhood; i <= half_neighborhood; ++i) {
-                    marked += marks[static_cast<std::size_t>((row + j) * columns + column + i)];
+                    marked += marks[table_index(row + j, column + i, columns)];
                 }
             }
             if (marked >= least_differing) return true;
@@ -124,7 +126,7 @@ bool pictures_differ(const Picture& one, const Picture& other, double least) {
             if (!unlike_all_near(squares, other_squares, x, y, least) &&
                 !unlike_all_near(other_squares, squares, x, y, least))
                 continue;
-            marks[static_cast<std::size_t>(row * columns + column)] = 1;
+            marks[table_index(row, column, columns)] = 1;
             ++marked;
         }
     }

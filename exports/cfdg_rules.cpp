@@ -301,6 +301,7 @@ class RulesWriter {
         return place->second + '(' + arguments + ')';
     }
 
+    // By value: what is erased may be its own original. NOLINTNEXTLINE(performance-unnecessary-value-param)
     std::string count_function(Signature signature) {
         counts_wanted_.erase(signature);
         const Scope& shape = symbols_.scopes.at(signature);

@@ -34,7 +34,7 @@ std::string scaled_by(double factor) {
 }
 
 std::string scaled_back(double factor) {
-    const std::string text = scaled_by(factor);
+    std::string text = scaled_by(factor);
     if (text.empty()) return text;
     return text[1] == 'i' ? '@' + text.substr(2) : "@i" + text.substr(1);
 }

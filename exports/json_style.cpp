@@ -65,7 +65,7 @@ std::string value_text(const JsonValue& value) {
         value.each([&](const JsonValue& part) { text += (text.empty() ? "" : " ") + number_of(part.number()); });
         return text.empty() ? "none" : text;
     }
-    const std::string word = value.text();
+    std::string word = value.text();
     const auto is_plain = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '#' || c == '-';
     };

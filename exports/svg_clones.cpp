@@ -97,7 +97,7 @@ class ClonesWriter {
     }
 
     std::string layer_text(const Thing& root, bool several) {
-        const std::string items = items_text(root);
+        std::string items = items_text(root);
         if (!several) return items;
         const std::string number = std::to_string(root.layer);
         return "<g id=\"" + names_.take("layer" + number) + "\" inkscape:groupmode=\"layer\" inkscape:label=\"Layer " +

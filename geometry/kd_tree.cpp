@@ -36,6 +36,7 @@ class NearestFew {
 
     std::size_t size() const { return kept_.size(); }
     bool full() const { return kept_.size() == count_; }
+    // NOLINTNEXTLINE(readability-identifier-naming): nanoflann's names
     bool addPoint(double square, std::size_t index) {
         const Neighbor candidate{index, std::sqrt(square)};
         if (full() && !comes_before(candidate, kept_.back())) return true;
@@ -49,7 +50,7 @@ class NearestFew {
         }
         return true;
     }
-    double worstDist() const { return worst_; }
+    double worstDist() const { return worst_; }  // NOLINT(readability-identifier-naming)
     void clear() {
         kept_.clear();
         worst_ = std::numeric_limits<double>::max();

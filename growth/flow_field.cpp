@@ -19,6 +19,7 @@
 #include <Eigen/Dense>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "geometry/parallel.h"
 #include "scene/input_error.h"
 
@@ -208,7 +209,7 @@ Complex direction_at(const FlowField& field, Point p) {
     const auto along = [&](double from_edge, int count) { return std::clamp(from_edge / field.step, 0.0, count - 1.0); };
     const double x = along(p.x - field.box.low.x, field.columns), y = along(p.y - field.box.low.y, field.rows);
     const int column = std::min(static_cast<int>(x), field.columns - 2), row = std::min(static_cast<int>(y), field.rows - 2);
-    const auto node = [&field](int c, int r) { return field.table[static_cast<std::size_t>(r * field.columns + c)]; };
+    const auto node = [&field](int c, int r) { return field.table[table_index(r, c, field.columns)]; };
     const double u = x - column, v = y - row;
     const Complex sum = (1 - v) * ((1 - u) * node(column, row) + u * node(column + 1, row)) +
                         v * ((1 - u) * node(column, row + 1) + u * node(column + 1, row + 1));
@@ -221,7 +222,7 @@ std::vector<SingularPoint> singular_points(const FlowField& field) {
     // Each edge's turn is told once, whatever cell asks, so that half a turn counts on one of its sides only.
     const auto turn = [&field](int c, int r, int across, int up) {
         const auto node = [&](int column, int row) {
-            return field.table[static_cast<std::size_t>(row * field.columns + column)];
+            return field.table[table_index(row, column, field.columns)];
         };
         return arg(node(c + across, r + up) * conj(node(c, r)));
     };

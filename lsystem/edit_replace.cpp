@@ -69,8 +69,8 @@ struct WrittenModule {
 /// One replacement while it is made.
 struct Task {
     const Replacement* replacement = nullptr;
-    std::vector<SymbolInstance> measured;                                ///< where the symbol stands if no other one is replaced
-    std::vector<SymbolInstance> replaced;                                ///< where it stands beside the others
+    std::vector<SymbolInstance> measured;                            ///< where the symbol stands if no other one is replaced
+    std::vector<SymbolInstance> replaced;                            ///< where it stands beside the others
     std::map<std::pair<WrittenString, int>, WrittenModule> modules;  ///< by string and position, from `measured`
     std::unique_ptr<OldMeasures> sizes;
     std::map<std::vector<double>, Seat> seats;
@@ -262,8 +262,8 @@ class Replacer {
         const std::string& old = task.replacement->symbol;
         const std::string made_of = task.content.string.empty() ? "Nothing" : task.content.string.front().symbol;
         const std::vector<std::string> known = symbols_of(result_);
-        const std::string name = free_name(old + "As" + made_of,
-                                           [&](const std::string& wanted) { return std::ranges::count(known, wanted) > 0; });
+        std::string name = free_name(old + "As" + made_of,
+                                     [&](const std::string& wanted) { return std::ranges::count(known, wanted) > 0; });
         const std::vector<std::string> parameters = parameter_names(old, count);
         std::set<std::vector<double>> sets;
         std::vector<Colouring> colourings;

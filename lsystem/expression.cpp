@@ -246,7 +246,7 @@ class Parser {
 
     static std::string arguments_text(const ExpressionFunction& function) {
         if (function.at_least == 0) return "no or " + std::to_string(function.at_most);
-        const std::string least = std::to_string(function.at_least);
+        std::string least = std::to_string(function.at_least);
         if (function.at_most == function.at_least) return least;
         return function.at_most == max_function_arguments ? least + " or more"
                                                           : least + " to " + std::to_string(function.at_most);

@@ -126,7 +126,7 @@ class ContentMaker {
 
     /// Neither it nor the names of its parts are taken.
     std::string new_name(const std::string& wanted, std::size_t parts = 0) {
-        const std::string name = free_name(wanted, [&](const std::string& candidate) {
+        std::string name = free_name(wanted, [&](const std::string& candidate) {
             if (taken_.contains(candidate)) return true;
             for (std::size_t part = 1; part <= parts; ++part) {
                 if (taken_.contains(part_name(candidate, part))) return true;

@@ -132,7 +132,7 @@ class Resolver {
     }
 
     /// "x.lsys: cannot be read: .." -> "cannot be read: .."
-    static std::string cause(std::string message, const std::string& file) {
+    static std::string cause(const std::string& message, const std::string& file) {
         const std::string front = file + ": ";
         return message.starts_with(front) ? message.substr(front.size()) : message;
     }

@@ -150,7 +150,7 @@ std::vector<LoopUse> uses_of(const Grammar& grammar, const RuleLoop& loop) {
                 written = value_of(part_at(grammar, loop.limit), constants);
             }
             if (written) use.count = std::max(0.0, std::ceil((*written - use.law.offset) / use.law.slope));
-            uses.push_back(std::move(use));
+            uses.push_back(use);
         }
     }
     return uses;

@@ -43,18 +43,18 @@ std::string trimmed(std::string_view text) {
 
 class NumberSetter {
   public:
-    explicit NumberSetter(const Grammar& grammar) : grammar_(grammar) {}
+    explicit NumberSetter(const Grammar& grammar) : edited(grammar) {}
 
     void apply(const NumberEdit& edit) {
-        std::vector<GrammarNumber> numbers = grammar_numbers(grammar_);
+        std::vector<GrammarNumber> numbers = grammar_numbers(edited);
         for (const GrammarNumber* target : targets_of(edit.name, numbers)) set(*target, edit);
-        if (numbers_before_.empty()) numbers_before_ = std::move(numbers);
+        if (numbers_before.empty()) numbers_before = std::move(numbers);
     }
-    Grammar grammar_;
-    std::vector<std::string> changes_;
-    std::vector<std::string> set_names_;
-    std::vector<NumberSlot> set_slots_;
-    std::vector<GrammarNumber> numbers_before_;  // of the first edit; empty without edits
+    Grammar edited;
+    std::vector<std::string> changes;
+    std::vector<std::string> set_names;
+    std::vector<NumberSlot> set_slots;
+    std::vector<GrammarNumber> numbers_before;  // of the first edit; empty without edits
 
   private:
     static std::vector<const GrammarNumber*> targets_of(const std::string& name, const std::vector<GrammarNumber>& numbers) {
@@ -74,7 +74,7 @@ class NumberSetter {
     }
 
     void set(const GrammarNumber& number, const NumberEdit& edit) {
-        const Scope constants = constants_of(grammar_);
+        const Scope constants = constants_of(edited);
         const auto given = value_of(edit.value, constants);
         const bool is_number = std::ranges::none_of(
             edit.value.postfix, [](const Expression::Node& node) { return node.op == Expression::Op::name; });
@@ -87,7 +87,7 @@ class NumberSetter {
         const Expression expression = as_written ? edit.value : number_expression(value);
         for (const NumberSlot& slot : number.slots) {
             if (slot.in == NumberSlot::In::expression) expect_no_cycle(slot.place, expression);
-            grammar_ = with_slot(std::move(grammar_), slot, expression);
+            edited = with_slot(std::move(edited), slot, expression);
         }
         say(number, as_written ? to_text(expression) : number_text(value));
     }
@@ -126,10 +126,10 @@ class NumberSetter {
         if (place.in != ExpressionPlace::In::constant) return;
         for (const Expression::Node& node : value.postfix) {
             if (node.op != Expression::Op::name) continue;
-            for (std::size_t i = static_cast<std::size_t>(place.index); i < grammar_.constants.size(); ++i)
-                if (grammar_.constants[i].name == node.name)
+            for (std::size_t i = static_cast<std::size_t>(place.index); i < edited.constants.size(); ++i)
+                if (edited.constants[i].name == node.name)
                     throw InputError({}, "expected constants above " +
-                                             grammar_.constants[static_cast<std::size_t>(place.index)].name +
+                                             edited.constants[static_cast<std::size_t>(place.index)].name +
                                              " in its value, found " + node.name);
         }
     }
@@ -139,10 +139,10 @@ class NumberSetter {
         if (!number.written.empty() && number.constant < 0) old = number.written + " (" + old + ")";
         if (old == value) return;
         std::string change = number.name + ' ' + old + " -> " + value;
-        if (number.constant >= 0) change += " (" + grammar_.constants[static_cast<std::size_t>(number.constant)].name + ")";
-        if (std::ranges::find(changes_, change) == changes_.end()) changes_.push_back(change);
-        set_names_.push_back(number.name);
-        set_slots_.insert(set_slots_.end(), number.slots.begin(), number.slots.end());
+        if (number.constant >= 0) change += " (" + edited.constants[static_cast<std::size_t>(number.constant)].name + ")";
+        if (std::ranges::find(changes, change) == changes.end()) changes.push_back(change);
+        set_names.push_back(number.name);
+        set_slots.insert(set_slots.end(), number.slots.begin(), number.slots.end());
     }
 };
 
@@ -150,16 +150,16 @@ class NumberSetter {
 void add_followers(const NumberSetter& setter, std::vector<std::string>& changes) {
     constexpr std::size_t most_named = 6;
     std::unordered_map<std::string_view, double> old;
-    for (const GrammarNumber& number : setter.numbers_before_) old.emplace(number.name, number.value);
+    for (const GrammarNumber& number : setter.numbers_before) old.emplace(number.name, number.value);
     std::vector<std::string> names;
-    for (const GrammarNumber& number : grammar_numbers(setter.grammar_)) {
+    for (const GrammarNumber& number : grammar_numbers(setter.edited)) {
         if (!number.parts.empty() || (number.rank == NumberRank::hidden && number.constant < 0)) continue;
-        if (std::ranges::find(setter.set_names_, number.name) != setter.set_names_.end()) continue;
+        if (std::ranges::find(setter.set_names, number.name) != setter.set_names.end()) continue;
         const auto same = old.find(number.name);
         if (same == old.end() || same->second == number.value) continue;
         const bool written_there =
             number.written.empty() && std::ranges::any_of(number.slots, [&](const NumberSlot& slot) {
-                return std::ranges::any_of(setter.set_slots_, [&](const NumberSlot& set) {
+                return std::ranges::any_of(setter.set_slots, [&](const NumberSlot& set) {
                     return set.in == slot.in && set.index == slot.index && same_expression(set.place, slot.place);
                 });
             });
@@ -168,7 +168,7 @@ void add_followers(const NumberSetter& setter, std::vector<std::string>& changes
         const auto says_it = [&](const std::string& name) {
             return number.name.ends_with('.' + name.substr(0, name.find(' ')));
         };
-        if (std::ranges::any_of(names, says_it) || std::ranges::any_of(setter.set_names_, says_it)) continue;
+        if (std::ranges::any_of(names, says_it) || std::ranges::any_of(setter.set_names, says_it)) continue;
         names.push_back(number.name + ' ' + short_text(same->second) + " -> " + short_text(number.value));
     }
     if (names.empty()) return;
@@ -212,10 +212,10 @@ NumberEdit parse_number_edit(std::string_view text) {
 EditResult set_numbers(const Grammar& grammar, std::span<const NumberEdit> edits, const SetOptions& options) {
     NumberSetter setter(grammar);
     for (const NumberEdit& edit : edits) setter.apply(edit);
-    EditResult result{setter.grammar_, setter.changes_};
+    EditResult result{setter.edited, setter.changes};
     if (options.say_changes) add_followers(setter, result.changes);
     if (options.keep_rings_closed) {
-        EditResult closed = keep_rings_closed(grammar, setter.grammar_, {.nearest_count = options.nearest_ring});
+        EditResult closed = keep_rings_closed(grammar, setter.edited, {.nearest_count = options.nearest_ring});
         result.grammar = std::move(closed.grammar);
         result.changes.insert(result.changes.end(), closed.changes.begin(), closed.changes.end());
     }

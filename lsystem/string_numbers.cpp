@@ -46,7 +46,7 @@ std::string stem_of(const std::string& role) { return role.substr(0, role.find('
 std::string help_of(const std::string& role, const std::string& target, double sideways_sign) {
     const std::string stem = stem_of(role);
     const bool next = target.empty();
-    const std::string to = next ? "from one to the next" : "to " + target;
+    std::string to = next ? "from one to the next" : "to " + target;
     if (stem == "turn") return next ? to : "before going " + to;
     if (stem == "spin") return "after going " + to;
     if (stem == "forward") return "ahead " + to;

@@ -205,8 +205,8 @@ void clip_elements(SvgReader& reader, std::size_t first, const SvgClip& clip, co
         const bool split = reader.options.split_compound_paths && elements[i].paths.size() > 1 &&
                            effect_of_all(elements[i], clip, reader.tolerance) == ClipEffect::part;
         std::vector<Element> single(1, std::move(elements[i]));
-        for (Element& piece : split ? split_compound_paths(std::move(single)) : std::move(single))
-            clip_element(reader, std::move(piece), clip, owner, kept);
+        if (split) single = split_compound_paths(std::move(single));
+        for (Element& piece : single) clip_element(reader, std::move(piece), clip, owner, kept);
     }
     elements.resize(first);
     std::ranges::move(kept, std::back_inserter(elements));

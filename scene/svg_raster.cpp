@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -125,12 +126,12 @@ Picture svg_to_picture(std::string_view svg, int width) {
     cairo_surface_flush(surface.get());
     Picture picture{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
     const unsigned char* rows = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    picture.rgb.reserve(static_cast<std::size_t>(3 * picture.width * picture.height));
+    const auto stride = static_cast<std::ptrdiff_t>(cairo_image_surface_get_stride(surface.get()));
+    picture.rgb.reserve(std::size_t{3} * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             std::uint32_t pixel = 0;  // alpha, red, green, blue from the top byte down; colours premultiplied
-            std::memcpy(&pixel, rows + y * stride + 4 * x, sizeof pixel);
+            std::memcpy(&pixel, rows + y * stride + std::ptrdiff_t{4} * x, sizeof pixel);
             const std::uint32_t white = 255 - (pixel >> 24U);
             for (const unsigned shift : {16U, 8U, 0U}) {
                 picture.rgb.push_back(
@@ -145,13 +146,13 @@ std::string picture_to_png(const Picture& picture) {
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height));
     require_success(cairo_surface_status(surface.get()));
     unsigned char* rows = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
+    const auto stride = static_cast<std::ptrdiff_t>(cairo_image_surface_get_stride(surface.get()));
     const std::uint8_t* from = picture.rgb.data();
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x, from += 3) {
             const std::uint32_t pixel =
                 static_cast<std::uint32_t>(from[0]) << 16U | static_cast<std::uint32_t>(from[1]) << 8U | from[2];
-            std::memcpy(rows + y * stride + 4 * x, &pixel, sizeof pixel);
+            std::memcpy(rows + y * stride + std::ptrdiff_t{4} * x, &pixel, sizeof pixel);
         }
     }
     cairo_surface_mark_dirty(surface.get());
@@ -166,13 +167,13 @@ TransparentPicture svg_to_transparent_picture(std::string_view svg, int width) {
     TransparentPicture picture{
         cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
     const unsigned char* rows = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
+    const auto stride = static_cast<std::ptrdiff_t>(cairo_image_surface_get_stride(surface.get()));
     picture.rgba.reserve(std::size_t{4} * static_cast<std::size_t>(picture.width) *
                          static_cast<std::size_t>(picture.height));
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             std::uint32_t pixel = 0;  // as above
-            std::memcpy(&pixel, rows + y * stride + 4 * x, sizeof pixel);
+            std::memcpy(&pixel, rows + y * stride + std::ptrdiff_t{4} * x, sizeof pixel);
             for (const unsigned shift : {16U, 8U, 0U, 24U})
                 picture.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
         }

@@ -7,6 +7,7 @@
 #include <csetjmp>
 #include <cstdint>
 
+#include "geometry/index.h"
 #include "scene/input_error.h"
 
 namespace rinceau {
@@ -32,8 +33,8 @@ bool write_rows(png_structp png, png_infop info, const HeightMap& map, png_bytep
             const std::size_t i =
                 static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column);
             const auto value = static_cast<std::uint16_t>(std::lround(top * std::clamp(map.heights[i], 0.0, 1.0)));
-            row_bytes[2 * column] = static_cast<png_byte>(value >> 8U);  // high byte first
-            row_bytes[2 * column + 1] = static_cast<png_byte>(value & 0xFFU);
+            row_bytes[2 * at(column)] = static_cast<png_byte>(value >> 8U);  // high byte first
+            row_bytes[2 * at(column) + 1] = static_cast<png_byte>(value & 0xFFU);
         }
         png_write_row(png, row_bytes);
     }

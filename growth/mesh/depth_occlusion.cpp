@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "geometry/angle.h"
+#include "geometry/index.h"
 #include "geometry/parallel.h"
 
 namespace rinceau {
@@ -72,7 +73,7 @@ class SkyFinder {
         for (int column = 0; column < image_.width; ++column) {
             const std::size_t i = at(row, column);
             if (image_.depth[i] == nothing) continue;
-            const auto turn = static_cast<std::size_t>((row % tile) * tile + column % tile);
+            const auto turn = table_index(row % tile, column % tile, tile);
             double hidden = 0;
             for (const Tap& tap : taps_[turn]) hidden += hidden_by(tap, row, column, i);
             raw_[i] = static_cast<float>(std::max(0.0, 1 - strength * hidden / taps));

@@ -18,8 +18,8 @@ std::array<double, 3> face_tensor(const SurfaceMesh& surface, int face) {
     Eigen::Matrix<double, 6, 3> left = Eigen::Matrix<double, 6, 3>::Zero();
     Eigen::Matrix<double, 6, 1> right;
     const auto& frame = surface.frame[at(face)];
-    for (int k = 0; k < 3; ++k) {
-        const int h = 3 * face + k;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const int h = 3 * face + static_cast<int>(k);
         const Complex edge = edge_vector(surface, h);
         const SpacePoint change =
             surface.vertex_normal[at(end_of(surface, h))] - surface.vertex_normal[at(start_of(surface, h))];

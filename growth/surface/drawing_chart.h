@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/box.h"
+#include "geometry/index.h"
 #include "growth/surface/polar_map.h"
 #include "growth/surface/surface_chart.h"
 
@@ -48,7 +49,7 @@ void visit_chart(const DrawingChart& chart, const Box& box, ChartVisits& visits,
     const int y0 = clamped(box.low.y, chart.low.y, chart.rows), y1 = clamped(box.high.y, chart.low.y, chart.rows);
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
-            const auto at = static_cast<std::size_t>(y * chart.columns + x);
+            const std::size_t at = table_index(y, x, chart.columns);
             for (int k = chart.first[at]; k < chart.first[at + 1]; ++k) {
                 const int t = chart.list[static_cast<std::size_t>(k)];
                 std::uint32_t& seen = visits.seen[static_cast<std::size_t>(t)];

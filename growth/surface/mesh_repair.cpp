@@ -140,7 +140,7 @@ class Turning {
         turned_[at(first)] = 0;
         for (std::size_t i = 0; i < part.size(); ++i) {
             const int f = part[i];
-            area[static_cast<std::size_t>(turned_[at(f)])] += doubled_area(f);
+            area[static_cast<std::size_t>(turned_[at(f)] != 0)] += doubled_area(f);
             for (const int p : about_[at(f)]) {
                 const FacePair& pair = pairs_[at(p)];
                 const int g = pair.f == f ? pair.g : pair.f;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/index.h"
 #include "scene/input_error.h"
 
 namespace rinceau {
@@ -45,7 +46,7 @@ Raster<Value> blurred(const Raster<Value>& raster, double sigma) {
             for (int x = 0; x < from.width; ++x) {
                 Value value{};
                 for (int i = -radius; i <= radius; ++i)
-                    value += weights[static_cast<std::size_t>(i + radius)] / sum * from.at(x + i * dx, y + i * dy);
+                    value += weights[at(i + radius)] / sum * from.at(x + i * dx, y + i * dy);
                 to.values.push_back(value);
             }
         return to;
