@@ -221,9 +221,7 @@ Complex direction_at(const FlowField& field, Point p) {
 std::vector<SingularPoint> singular_points(const FlowField& field) {
     // Each edge's turn is told once, whatever cell asks, so that half a turn counts on one of its sides only.
     const auto turn = [&field](int c, int r, int across, int up) {
-        const auto node = [&](int column, int row) {
-            return field.table[table_index(row, column, field.columns)];
-        };
+        const auto node = [&](int column, int row) { return field.table[table_index(row, column, field.columns)]; };
         return arg(node(c + across, r + up) * conj(node(c, r)));
     };
     std::vector<SingularPoint> points;
