@@ -124,7 +124,8 @@ Action add_rule(const EditorState& state) {
     return RulesAction{AddProduction{options}};
 }
 
-template <ProductionShape shape>
+template <ProductionShape shape>  // the names are moved, which clang-tidy does not see in a template
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 Command add_command(std::string name, std::string label, std::string help) {
     return {.name = "rules.add_" + std::move(name),
             .menu = menu_add,

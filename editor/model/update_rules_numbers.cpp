@@ -78,7 +78,7 @@ void perform_one(Update& update, const EnterTyped&) {
     if (!rules.typed) return;
     try {
         const NumberEdit edit = parse_number_edit(edit_text(*rules.typed));
-        const EditResult result = set_numbers(*update.state.document.grammar, {&edit, 1});
+        EditResult result = set_numbers(*update.state.document.grammar, {&edit, 1});
         const std::string label = "set " + rules.typed->name;
         rules.typed.reset();
         if (!result.changes.empty()) edit_grammar(update, label, [&](const Grammar&) { return result; });
