@@ -170,7 +170,7 @@ std::vector<Chain> sampled(std::span<const Chain> chains) {
 
 }  // namespace
 
-Rule fitted(Rule rule, std::span<const Chain> chains, double radius) {
+Rule fitted(const Rule& rule, std::span<const Chain> chains, double radius) {
     const std::vector<Chain> some = sampled(chains);
     if (rule.kind == RuleKind::ring) {
         const Rule closed = closed_rule(rule, static_cast<int>(chains.front().items.size()));

@@ -15,7 +15,7 @@ Similarity mean_step(std::span<const Chain> chains);
 /// The rule (kind, step, changes as a first guess) with its step fitted by Gauss-Newton so that every chain, each with its
 /// own free pose, ends where the drawing ends. A ring's step turns by exactly 2 pi k / n and keeps the size.
 /// `radius` is the repeated part's.
-Rule fitted(Rule rule, std::span<const Chain> chains, double radius);
+Rule fitted(const Rule& rule, std::span<const Chain> chains, double radius);
 
 /// The rule with scale 1, angles that are multiples of 15 degrees, equal turns and so on, each where no item moves by more
 /// than `slack` of its size because of it.

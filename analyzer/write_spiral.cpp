@@ -40,7 +40,7 @@ std::string size_text(const SpiralLaw& law, const std::string& index, double uni
     const double size = tidy(law.size * unit, slack);
     if (law.size_change == 0) return text(size);
     const double change = tidy(law.size_change * unit, slack / std::max(1.0, std::pow(last, law.size_power)));
-    const std::string grown = text(std::abs(change)) + "*" + power_text(index, law.size_power);
+    std::string grown = text(std::abs(change)) + "*" + power_text(index, law.size_power);
     if (size == 0) return grown;
     return text(size) + (change < 0 ? " - " : " + ") + grown;
 }

@@ -69,7 +69,7 @@ class Stripper {
                 const NoiseCommand& noise = found->command;
                 if (noise.bracketed && !result.empty() && result.back().symbol == "[") brackets_.insert(position - 1);
                 const auto how = noise.bracketed ? How::bracketed : How::before;
-                noise_.push_back({{noise.kind, how, place_, position, 0}, noise.noise});
+                found_noise.push_back({{noise.kind, how, place_, position, 0}, noise.noise});
                 continue;
             }
             result.push_back(module);
@@ -78,7 +78,7 @@ class Stripper {
         unwrap(result);
         return result;
     }
-    std::vector<PlacedNoise> noise_;
+    std::vector<PlacedNoise> found_noise;
 
   private:
     StringPlace place_;
@@ -87,7 +87,7 @@ class Stripper {
     void strip_argument(ModuleTemplate& module, int position, std::size_t index) {
         Expression& argument = module.arguments[index];
         while (const auto found = find_noise(argument)) {
-            noise_.push_back({{found->kind, How::in_expression, place_, position, static_cast<int>(index)}, found->noise});
+            found_noise.push_back({{found->kind, How::in_expression, place_, position, static_cast<int>(index)}, found->noise});
             argument.postfix.resize(at(found->base_size));
         }
     }
@@ -99,7 +99,7 @@ class Stripper {
             if (string[at(*open) + 2].symbol != "]") continue;
             string.erase(string.begin() + *open + 2);
             string.erase(string.begin() + *open);
-            for (PlacedNoise& noise : noise_) {
+            for (PlacedNoise& noise : found_noise) {
                 int& position = noise.place.position;
                 if (position > *open + 2) --position;
                 if (position > *open) --position;
@@ -118,7 +118,7 @@ StrippedGrammar stripped(const Grammar& grammar) {
     for (const StringPlace& place : strings_of(grammar)) {
         Stripper stripper(place);
         string_at(result.grammar, place) = stripper.strip(string_at(grammar, place));
-        result.noise.insert(result.noise.end(), stripper.noise_.begin(), stripper.noise_.end());
+        result.noise.insert(result.noise.end(), stripper.found_noise.begin(), stripper.found_noise.end());
     }
     return result;
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <exception>
 #include <new>
 #include <regex>
 #include <string>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int command_line_at_fault = 2;
 constexpr int limit_reached = 3;
+constexpr int program_at_fault = 70;
 constexpr int largest_side = 16384;  // that OpenGL draws everywhere
 constexpr int smallest_side = 16;
 
@@ -31,11 +33,7 @@ std::string read_size(const std::string& text, rinceau::EditorOptions& options) 
     return "expected a size in pixels like 1280x800, each side from 16 to 16384, found '" + text + "'";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    rinceau::open_standard_streams();
-    rinceau::let_writes_fail();
+int edit(int argc, char** argv) {
     CLI::App program("The editor: a drawing and its rules, side by side", "rinceau edit");
     rinceau::EditorOptions options;
     constexpr float least_scale = 0.5F;
@@ -64,11 +62,25 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : command_line_at_fault;
     }
+    if (!options.picture.empty()) return rinceau::write_picture_file(options);
+    return rinceau::run_editor(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    rinceau::open_standard_streams();
+    rinceau::let_writes_fail();
     try {
-        if (!options.picture.empty()) return rinceau::write_picture_file(options);
-        return rinceau::run_editor(options);
+        return edit(argc, argv);
     } catch (const std::bad_alloc&) {
         std::fputs("rinceau edit: the memory does not suffice; what was not saved is offered at the next start\n", stderr);
         return limit_reached;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr,
+                     "rinceau edit: the program itself is at fault, please report it: %s\n"
+                     "What was not saved is offered at the next start\n",
+                     error.what());
+        return program_at_fault;
     }
 }
