@@ -86,8 +86,8 @@ double style_choice_bits(const ModuleTemplate& module, const WrittenGrammar& wri
 constexpr double which_command = 2.5;
 
 /// What a production says beyond its form: brackets, the condition and the call of itself are given with its kind.
-double module_bits(const ModuleTemplate& module, const WrittenGrammar& written, const std::string& own_symbol, double symbols,
-                   double length_bits) {
+double module_bits(const ModuleTemplate& module, const WrittenGrammar& written, const std::string& own_symbol,
+                   double symbols, double length_bits) {
     const double angle_bits = std::log2(two_pi / precision);
     if (module.symbol == "[" || module.symbol == "]") return 0;
     if (module.symbol == own_symbol) return style_choice_bits(module, written);
@@ -147,6 +147,9 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
         const Similarity turtle = item.pose * written.anchor_of_part[static_cast<std::size_t>(item.part)];
         bits.grammar +=
             part.look >= 0 ? flat[static_cast<std::size_t>(part.look)] : group_bits(turtle, symbols, length_bits);
+        // What has no name is listed there, copy by copy.
+        if (part.look < 0 && written.symbol_of_part[static_cast<std::size_t>(item.part)].empty())
+            bits.grammar += std::log2(symbols) * static_cast<double>(item.members.size());
     }
     for (const ModuleTemplate& module : final_grammar.axiom) {
         if (module.symbol != ";") bits.grammar += style_choice_bits(module, written);  // of elements: told with them
@@ -166,7 +169,8 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
             if (module.symbol == "z") bits.grammar += 6;
         }
     }
-    for (const Exception& exception : written.grammar.exceptions) {  // what stands in for something else, where, in which style
+    for (const Exception& exception :
+         written.grammar.exceptions) {  // what stands in for something else, where, in which style
         for (const ModuleTemplate& module : exception.successor)
             bits.grammar += module_bits(module, written, "", symbols, length_bits);
     }

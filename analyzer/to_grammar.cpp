@@ -4,6 +4,7 @@
 #include <set>
 
 #include "analyzer/anchors.h"
+#include "analyzer/lone_stacks.h"
 #include "analyzer/natural_pose.h"
 #include "analyzer/production_writer.h"
 #include "analyzer/symbol_names.h"
@@ -25,7 +26,8 @@ class Writer {
           slack_(slack),
           anchors_(find_anchors(ordered.rules, instancing, ordered.roots)),
           uses_(rule_uses(ordered.rules, ordered.roots)),
-          top_down_(parts_top_down(ordered.rules, ordered.roots)) {}
+          top_down_(parts_top_down(ordered.rules, ordered.roots)),
+          stacks_(lone_stacks(ordered.rules, ordered.roots, slack)) {}
 
     WrittenGrammar run() {
         const std::vector<std::string> names = look_names(instancing_, scene_);
@@ -53,10 +55,10 @@ class Writer {
     RuleKind kind_of(const Part& part) const { return rules_.rules[static_cast<std::size_t>(part.rule)].kind; }
     const Similarity& anchor(int part) const { return anchors_.of_part[static_cast<std::size_t>(part)]; }
 
-    /// What no root needs gets no name. Looks stand in order of the drawing.
+    /// What no root needs gets no name, nor what only the axiom would use once. Looks stand in order of the drawing.
     void name_symbols(const std::vector<std::string>& names) {
         std::vector<bool> in_use;
-        for (const double scale : anchors_.largest_scale) in_use.push_back(scale > 0);
+        for (std::size_t p = 0; p < rules_.parts.size(); ++p) in_use.push_back(anchors_.largest_scale[p] > 0 && !stacks_[p]);
         written_.symbol_of_part = symbol_names(rules_, in_use, top_down_, uses_, names);
         for (std::size_t p = 0; p < rules_.parts.size(); ++p) {
             if (rules_.parts[p].look >= 0 && in_use[p]) looks_.push_back(rules_.parts[p].look);
@@ -76,12 +78,31 @@ class Writer {
         int number = 0;  // of a root's symbol
         for (const int root : roots_) {
             const Item& item = rules_.items[static_cast<std::size_t>(root)];
+            if (stacks_[static_cast<std::size_t>(item.part)]) {
+                write_stack(item);
+                number += static_cast<int>(item.members.size());
+                continue;
+            }
             const Similarity pose = natural_pose(rules_, root, anchor(item.part), natural_slack * slack_);
             append_placed(context(), written_.grammar.axiom, pose * anchor(item.part), item.part, 1, roots_.size() > 1);
             for (Exception& exception : write_exceptions(context(), root, ++number, pose)) {
                 written_.grammar.exceptions.push_back(std::move(exception));
             }
         }
+    }
+
+    /// All copies at the place of the first: [f(30) [A] [A]]
+    void write_stack(const Item& item) {
+        const int member = item.members.front();
+        const int part = rules_.items[static_cast<std::size_t>(member)].part;
+        const Similarity pose = natural_pose(rules_, member, anchor(part), natural_slack * slack_);
+        std::vector<ModuleTemplate> placed;
+        append_placed(context(), placed, pose * anchor(part), part, 1, false);
+        const std::vector<ModuleTemplate> copy = bracketed({placed.back()});
+        placed.pop_back();
+        for (std::size_t k = 0; k < item.members.size(); ++k) placed.insert(placed.end(), copy.begin(), copy.end());
+        if (roots_.size() > 1) placed = bracketed(std::move(placed));
+        written_.grammar.axiom.insert(written_.grammar.axiom.end(), placed.begin(), placed.end());
     }
 
     void write_production(int p) {
@@ -98,6 +119,7 @@ class Writer {
     Anchors anchors_;
     std::vector<RuleUse> uses_;
     std::vector<int> top_down_;
+    std::vector<bool> stacks_;  ///< by part
     std::vector<int> looks_;
     WrittenGrammar written_;
 };
