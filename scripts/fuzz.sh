@@ -20,8 +20,8 @@ kinds=("${@:-${all_kinds[@]}}")
 for kind in "${kinds[@]}"; do [[ " ${all_kinds[*]} " == *" $kind "* ]] || usage; done
 share=$(((seconds + ${#kinds[@]} - 1) / ${#kinds[@]}))
 
-# Longer inputs break nothing that short ones do not, and take longer to change.
-longest=16384
+# Longer inputs break nothing that short ones do not, and take longer to change; an analysis of many elements takes its time.
+longest_of() { case $1 in analyze) printf 3072 ;; *) printf 16384 ;; esac; }
 
 # Files below a folder by the ending of their names, into the corpus $corpus.
 take_files() {
@@ -69,6 +69,7 @@ last_number() { { grep -oE "$1 *[0-9]+" "$log" || true; } | tail -n 1 | grep -oE
 
 run_kind() {
     local kind=$1 status=0 begin=$SECONDS words seed options findings edges
+    longest=$(longest_of "$kind")
     corpus=build/fuzz/corpus/$kind
     log=build/fuzz/$kind.log
     [ -n "$keep" ] || rm -rf "$corpus"
