@@ -204,7 +204,8 @@ void clip_elements(SvgReader& reader, std::size_t first, const SvgClip& clip, co
         // Of a compound path that is cut, most pieces may be whole.
         const bool split = reader.options.split_compound_paths && elements[i].paths.size() > 1 &&
                            effect_of_all(elements[i], clip, reader.tolerance) == ClipEffect::part;
-        std::vector<Element> single(1, std::move(elements[i]));
+        std::vector<Element> single;
+        single.push_back(std::move(elements[i]));
         if (split) single = split_compound_paths(std::move(single));
         for (Element& piece : single) clip_element(reader, std::move(piece), clip, owner, kept);
     }
