@@ -49,6 +49,7 @@ std::vector<Segment> arc_segments(Point from, Point radii, double rotation, bool
     radii = {std::abs(radii.x), std::abs(radii.y)};
     if (from == to || !(radii.x > 0 && radii.y > 0)) return {line_to(to)};
     const CenterForm arc = center_form(from, radii, rotation, large, sweep, to);
+    if (!std::isfinite(arc.sweep)) return {line_to(to)};  // chord and radii are too unlike for their squares
     const int count = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (pi / 2) - quarter_slack)));
     const double step = arc.sweep / count;
     const double handle = arc_handle(step);

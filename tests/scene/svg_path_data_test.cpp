@@ -83,6 +83,16 @@ TEST_CASE("two half circles have the points, the box and the length of the circl
     for (const Point p : flattened(circle[0], 0.01)) CHECK(abs(p - Point{50, 50}) == Approx(30).epsilon(3e-4));
 }
 
+TEST_CASE("an arc whose chord is nothing beside its radii, or its radii beside the chord, is a line") {
+    for (const char* data : {"M0 0A5 5 0 1 1 1e-200 0", "M0 0a1e-200 1e-200 30 0 1 7 4"}) {
+        const ParsedPath parsed = parse_path_data(data);
+        CHECK_FALSE(parsed.faulty);
+        REQUIRE(parsed.paths.size() == 1);
+        REQUIRE(parsed.paths[0].segments.size() == 1);
+        CHECK(parsed.paths[0].segments[0] == line_to(parsed.paths[0].segments[0].to));
+    }
+}
+
 TEST_CASE("an arc keeps to its turned ellipse, on the side that its flags say") {
     const double turn = radians(30);
     for (const int large : {0, 1}) {
