@@ -54,7 +54,7 @@ struct Analysis {
 };
 
 /// Throws LimitError for drawings over 5,000,000 elements. Elements that no list of copies would redraw closely enough are
-/// nobody's copies: what comes back has passed its check but for drawings whose numbers exceed what doubles can tell apart.
+/// nobody's copies; report.check says whether the grammar has passed.
 Analysis analyze(const Scene& scene, const AnalyzeOptions& options = {}, const Progress& progress = {});
 
 /// The same for a drawing that was prepared: with other weights or another objective in much less time. The rest of the

@@ -86,8 +86,8 @@ double style_choice_bits(const ModuleTemplate& module, const WrittenGrammar& wri
 constexpr double which_command = 2.5;
 
 /// What a production says beyond its form: brackets, the condition and the call of itself are given with its kind.
-double module_bits(const ModuleTemplate& module, const WrittenGrammar& written, const std::string& own_symbol,
-                   double symbols, double length_bits) {
+double module_bits(const ModuleTemplate& module, const WrittenGrammar& written, const std::string& own_symbol, double symbols,
+                   double length_bits) {
     const double angle_bits = std::log2(two_pi / precision);
     if (module.symbol == "[" || module.symbol == "]") return 0;
     if (module.symbol == own_symbol) return style_choice_bits(module, written);
@@ -169,8 +169,7 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
             if (module.symbol == "z") bits.grammar += 6;
         }
     }
-    for (const Exception& exception :
-         written.grammar.exceptions) {  // what stands in for something else, where, in which style
+    for (const Exception& exception : written.grammar.exceptions) {  // what stands in for something else, where, in which style
         for (const ModuleTemplate& module : exception.successor)
             bits.grammar += module_bits(module, written, "", symbols, length_bits);
     }

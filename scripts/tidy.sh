@@ -30,8 +30,8 @@ read_one() {  # FILE
 export -f read_one sources_of
 python3 -c 'import json; print("\n".join(row["file"] for row in json.load(open("build/tidy/compile_commands.json"))))' |
     xargs -P "$(nproc)" -I{} bash -c 'read_one {}'
-cat "$log"/*.said | sed "s|$PWD/||g" >build/tidy/said
+find "$log" -name '*.said' | sort | xargs -r cat | sed "s|$PWD/||g" >build/tidy/said
 awk '/: (warning|error): / { shown = !seen[$0]++ } shown' build/tidy/said
-warnings=$(grep -E ': (warning|error): ' build/tidy/said | sort -u | wc -l)
-printf '%d sources, %d warnings\n' "$(cat "$log"/*.sources | wc -l)" "$warnings"
+warnings=$({ grep -E ': (warning|error): ' build/tidy/said || true; } | sort -u | wc -l)
+printf '%d sources, %d warnings\n' "$(find "$log" -name '*.sources' | xargs -r cat | wc -l)" "$warnings"
 [ "$warnings" -eq 0 ]
