@@ -7,6 +7,7 @@
 #include <set>
 
 #include "analyzer/natural_pose.h"
+#include "analyzer/upright_circle.h"
 
 namespace rinceau {
 
@@ -82,6 +83,13 @@ void align_with_nodes(const RuleSet& rules, std::vector<Similarity>& anchors) {
     }
 }
 
+/// The middle of the circle, facing the first member, at the member's scale.
+Similarity upright_anchor_of(const Rule& rule, const Child& first, const Similarity& member) {
+    const Point centre = apply(first.pose, circle_centre(rule));
+    const Point way = first.pose.translation - centre;
+    return {way / abs(way) * Complex{0, -1} * scale_of(first.pose * member), centre, false};
+}
+
 Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<Similarity>& anchors) {
     const Child& first = part.children.front();
     const Rule& rule = rules.rules[static_cast<std::size_t>(part.rule)];
@@ -90,6 +98,7 @@ Similarity anchor_of(const RuleSet& rules, const Part& part, const std::vector<S
         const Child& stands = rule.members.empty() ? rule.leaves.front() : rule.members.front();
         return part.node * stands.pose * anchors[static_cast<std::size_t>(stands.part)];
     }
+    if (rule.upright) return upright_anchor_of(rule, first, anchors[static_cast<std::size_t>(first.part)]);
     if (kind == RuleKind::spiral) return first.pose * inverse(spiral_pose(rule.spiral, spiral_index(rule.spiral, 0)));
     Similarity member = anchors[static_cast<std::size_t>(first.part)];
     if (kind == RuleKind::linear) member.translation = {};  // alpha and beta are linear about the member's own origin

@@ -115,7 +115,11 @@ struct Following {
     std::vector<int> lowest_gauge;
 };
 
+/// A round item has no angle of its own.
+Similarity without_angle(const Similarity& pose) { return {{scale_of(pose), 0}, pose.translation, false}; }
+
 Similarity frame_of(const Following& following, const States::State& state) {
+    if (following.part.symmetry.continuous) return without_angle(item_at(following.rules, state.item).pose);
     return item_at(following.rules, state.item).pose * following.part.symmetry.elements[static_cast<std::size_t>(state.gauge)];
 }
 
@@ -142,6 +146,7 @@ void link(States& states, int from, const Following& following) {
 /// The frame of a state that goes on from `frame`, among those of equivalent gauges.
 Similarity continued_frame(const Following& following, const Similarity& frame, const States::State& state) {
     const Similarity& pose = item_at(following.rules, state.item).pose;
+    if (following.part.symmetry.continuous) return without_angle(pose);
     const double turn = following.tolerance.turn(following.part.radius);
     const int gauge = matching_gauge(following.part, pose, frame * following.step, turn);
     return pose * following.part.symmetry.elements[static_cast<std::size_t>(gauge < 0 ? state.gauge : gauge)];

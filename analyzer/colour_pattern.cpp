@@ -93,6 +93,7 @@ class PatternSearch {
             try_linear_with_jump();
             for (int period = 2; period <= std::min(longest_period, largest_m_ - 1); ++period) try_period(period);
             try_special_repetitions();
+            for (const int end : {1, largest_m_}) try_all_but(end);
             try_stretch();
             try_digits();
         }
@@ -369,6 +370,35 @@ class PatternSearch {
         std::map<Tint, Tint> table;
         for (auto& [m, tints] : found) table[m] = commonest(std::move(tints));
         offer_cases(table, column_.counter, [](const TintUse& use) -> Tint { return use.m; });
+    }
+
+    /// The first or the last repetition is alike in all copies, the others are each copy's own.
+    void try_all_but(int end) {
+        std::vector<Tint> at_end, own(uses_of_owner_.size(), 0);
+        for (std::size_t owner = 0; owner < own.size(); ++owner) {
+            std::vector<Tint> others;
+            for (const std::size_t k : uses_of_owner_[owner]) {
+                const TintUse& use = column_.uses[k];
+                (use.m == end ? at_end : others).push_back(use.tint);
+            }
+            if (others.empty()) return;
+            own[owner] = commonest(std::move(others));
+        }
+        if (at_end.empty()) return;
+        const Tint there = commonest(std::move(at_end));
+        const auto text = [&](const std::string& otherwise) {
+            return "if(" + column_.counter + " == " + std::to_string(end) + ", " + std::to_string(there) + ", " + otherwise +
+                   ")";
+        };
+        for (const TintParameter& parameter : known_) {
+            const auto at = [&](const TintUse& use) { return of(parameter.values, use); };
+            const Tint shift = over_all([&](const TintUse& use) { return use.m == end ? Tint{0} : use.tint - at(use); });
+            offer(text(linear_text(1, parameter.name, shift)),
+                  [&](const TintUse& use) { return use.m == end ? there : at(use) + shift; });
+        }
+        if (several_owners())
+            offer(
+                text(new_name_), [&](const TintUse& use) { return use.m == end ? there : of(own, use); }, own);
     }
 
     /// One tint up to some repetition, another one from there on, or up to a second one.

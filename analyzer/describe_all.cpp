@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 
 #include "analyzer/regular_drawing.h"
 #include "geometry/parallel.h"
@@ -167,11 +168,26 @@ class Describer {
     std::atomic<bool> settled_ = false;
 };
 
+/// Of things that are alike, how many the axiom lists one by one at most.
+int most_alike_in_axiom(const Description& description) {
+    std::map<int, int> times;
+    int most = 0;
+    for (const int root : description.ordered.roots) {
+        const Item& item = description.ordered.rules.items[static_cast<std::size_t>(root)];
+        most = std::max(most, ++times[item.part]);
+    }
+    return most;
+}
+
 /// Do exact rules leave so much that the drawing may be an irregular one?
 bool may_be_irregular(const std::vector<Description>& exact) {
-    // What they say in a quarter of the bits has its structure already.
+    // What they say in a quarter of the bits has its structure already, unless many equal things are left over.
     constexpr double well_explained = 0.25;
-    return std::ranges::none_of(exact, [](const Description& d) { return d.bits.grammar < well_explained * d.bits.drawing; });
+    constexpr int few = 5;
+    if (exact.empty()) return true;
+    const bool listed = most_alike_in_axiom(exact.front()) >= few;
+    return listed || std::ranges::none_of(
+                         exact, [](const Description& d) { return d.bits.grammar < well_explained * d.bits.drawing; });
 }
 
 /// Do nearly all elements stand where the rules put them, or next to it?

@@ -5,6 +5,7 @@
 
 #include "analyzer/colouring.h"
 #include "analyzer/fill_gaps.h"
+#include "analyzer/group_residuals.h"
 #include "analyzer/inline_groups.h"
 #include "analyzer/mirrored_halves.h"
 #include "analyzer/order_rules.h"
@@ -62,8 +63,9 @@ double exact_tolerance(const Drawing& drawing) { return exact_share * drawing.di
 
 DescriptionBits bits_of(const Description& description, const Grammar& grammar) {
     const Drawing& drawing = *description.reading;
-    DescriptionBits bits = description_bits(description.ordered, description.written, grammar, drawing.instancing,
-                                            description.deviation, drawing.diagonal, exact_share * drawing.diagonal);
+    DescriptionBits bits =
+        description_bits(description.ordered, description.written, grammar, drawing.instancing,
+                         {description.left_over, description.groups}, drawing.diagonal, exact_share * drawing.diagonal);
     bits.drawing = drawing.flat_bits;
     return bits;
 }
@@ -82,6 +84,8 @@ std::optional<Description> describe(const Drawing& drawing, RuleSet rules, doubl
     Residuals exact = with_residuals(description.written, drawing.instancing, exact_tolerance(drawing));
     description.exact = std::move(exact.grammar);
     description.deviation = std::move(exact.deviation);
+    description.left_over = std::move(exact.left_over);
+    description.groups = std::move(exact.groups);
     description.bits = bits_of(description, description.exact);
     description.cost = reading_cost(description);
     return description;

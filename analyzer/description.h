@@ -26,7 +26,9 @@ struct Description {
     OrderedRules ordered;
     WrittenGrammar written;
     Grammar exact;  ///< with residuals, before layers
-    std::vector<double> deviation;
+    std::vector<double> deviation;  ///< by leaf, before residuals
+    std::vector<double> left_over;  ///< by leaf, where groups are moved
+    std::vector<MovedGroup> groups;
     DescriptionBits bits;  ///< of `exact`
     double tolerance = 0;
     double cost = 0;  ///< what decides between descriptions: bits, and what each production and each terminal costs a reader

@@ -9,6 +9,7 @@
 
 #include "analyzer/claim_pairs.h"
 #include "analyzer/fit_step.h"
+#include "analyzer/upright_circle.h"
 
 namespace rinceau {
 
@@ -23,6 +24,7 @@ namespace {
 constexpr double rule_head_bits = 9;
 constexpr double instance_bits = 6;    // the count m of one use of a sequence
 constexpr double linear_bits = 24;     // the two changes of a linear rule
+constexpr double upright_bits = 10;    // the one change of a circle whose members keep their heading
 constexpr double directed_bits = 10;   // saying that the heading follows the step
 constexpr double closing_credit = 26;  // the last pair of groups joins even at this loss, so that the axiom is one symbol
 constexpr std::size_t closing_groups = 3;
@@ -101,7 +103,10 @@ std::vector<Chain> linear_of_equal_start(const SearchState& state, GridCache& gr
     rule.kind = RuleKind::linear;
     rule.turn_change = hypothesis.turn_change;
     rule.spin_change = hypothesis.spin_change;
-    auto found = linear_chains(state.rules, grids.of(hypothesis.from), hypothesis.votes, rule, link_tolerance(state));
+    const PoseGrid& grid = grids.of(hypothesis.from);
+    auto found = hypothesis.upright
+                     ? upright_chains(state.rules, grid, hypothesis.votes, hypothesis.turn_change, link_tolerance(state))
+                     : linear_chains(state.rules, grid, hypothesis.votes, rule, link_tolerance(state));
     if (found.empty()) return {};
     // The longest chain and those that begin as it does: one production.
     const auto longest = std::ranges::max_element(found, {}, [](const LinearChain& c) { return c.chain.items.size(); });
@@ -277,7 +282,7 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
     double rule_bits = 0;
     if (evaluation.known_rule < 0) {
         rule_bits = rule_head_bits + step_bits(state, hypothesis.from, hypothesis.to, evaluation.step);
-        if (hypothesis.kind == RuleKind::linear) rule_bits += linear_bits;
+        if (hypothesis.kind == RuleKind::linear) rule_bits += hypothesis.upright ? upright_bits : linear_bits;
         if (hypothesis.directed) rule_bits += directed_bits;
         const double select = std::log2(1.0 + static_cast<double>(rivals));
         rule_bits += sum.pairs <= 3 ? select : 0.5 * select;
@@ -298,6 +303,11 @@ Evaluation evaluate(const SearchState& state, GridCache& grids, const Hypothesis
     const double future = options.future * item_bits * (repeats ? sum.repeats : sum.pairs - 1);
     evaluation.score = w.count * (sum.pairs * item_bits + future) - w.length * use_bits - 2 * w.nearness * sum.gap_bits -
                        w.similarity * sum.residual_bits - rule_bits;
+    // Two halves in one place are one thing, if each has its partner there: whatever is said of the one, is said of both.
+    const bool on_each_other = repeats && abs(evaluation.step.translation) <= state.tolerance.size &&
+                               std::abs(std::log(scale_of(evaluation.step))) <= state.tolerance.angle;
+    if (on_each_other && sum.pairs + sum.chains == static_cast<double>(state.alive(hypothesis.from).size()))
+        evaluation.score += w.count * sum.pairs * item_bits;
     constexpr double turned = 0.01;  // radians
     if (repeats && std::abs(arg(evaluation.step.linear)) > turned) evaluation.score -= turn_price;
     // A partner that could as well be another one is no partner: rows and rings of each part come first.

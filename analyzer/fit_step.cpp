@@ -49,7 +49,7 @@ struct Parameters {
         rule.step.linear = polar(std::exp(values(2)), values(3));
         if (rule.kind == RuleKind::linear) {
             rule.turn_change = values(4);
-            rule.spin_change = values(5);
+            rule.spin_change = rule.upright ? -values(4) : values(5);
             rule.advance_change = values(6);
             rule.advance_factor = std::exp(values(7));
             rule.size_change = values(8);
@@ -140,6 +140,7 @@ Rule closed_rule(Rule rule, int n) {
 /// What a linear rule has, may change: what it does not say stays unsaid.
 std::vector<int> free_parameters(const Rule& rule) {
     if (rule.kind != RuleKind::linear) return {0, 1, 2, 3};
+    if (rule.upright) return {0, 1, 4};
     std::vector<int> free{0, 1, 3};
     const bool straight = rule.advance_change != 0 || rule.advance_factor != 1 || rule.size_change != 0;
     if (rule.size_change == 0 && rule.advance_factor == 1) free.push_back(2);
@@ -199,15 +200,48 @@ namespace {
 /// The nearest multiple of 15 degrees.
 double natural_angle(double angle) { return radians(15 * std::round(degrees(angle) / 15)); }
 
+/// May all members of the rule keep their heading, on a circle?
+bool may_be_upright(const Rule& rule) {
+    constexpr double nearly = 0.05;  // radians and relative: what is not, does not fit in the end
+    return rule.kind == RuleKind::linear && rule.advance_change == 0 && rule.advance_factor == 1 && rule.size_change == 0 &&
+           rule.seat == Point{} && !rule.step.mirrored && rule.turn_change != 0 &&
+           abs(rule.step.linear - Complex{1, 0}) < nearly && std::abs(rule.turn_change + rule.spin_change) < nearly;
+}
+
+Rule made_upright(Rule rule) {
+    rule.upright = true;
+    rule.step.linear = {1, 0};
+    rule.spin_change = -rule.turn_change;
+    return rule;
+}
+
+/// The rule whose every `count`-th member would stand on the first one.
+Rule closed_circle(Rule rule, std::size_t count) {
+    rule.turn_change = std::copysign(two_pi / static_cast<double>(count), rule.turn_change);
+    rule.spin_change = -rule.turn_change;
+    return rule;
+}
+
 }  // namespace
 
 Rule with_natural_values(Rule rule, std::span<const Chain> chains, double radius, double slack) {
     const std::vector<Chain> some = sampled(chains);
     double allowed = worst_deviation(rule, some, radius) + slack;
     const auto adopt = [&](const Rule& candidate) {
-        if (worst_deviation(candidate, some, radius) > allowed) return;
+        if (worst_deviation(candidate, some, radius) > allowed) return false;
         rule = candidate;
+        return true;
     };
+    if (may_be_upright(rule) && adopt(gauss_newton(made_upright(rule), some, radius, free_parameters(made_upright(rule))))) {
+        constexpr int place_only[] = {0, 1};
+        if (!adopt(gauss_newton(closed_circle(rule, some.front().items.size()), some, radius, place_only))) {
+            Rule even = rule;
+            even.turn_change = radians(std::round(degrees(rule.turn_change)));
+            even.spin_change = -even.turn_change;
+            adopt(gauss_newton(even, some, radius, place_only));
+        }
+        return rule;
+    }
     if (rule.kind != RuleKind::ring) {
         // What is left free makes up for what is made natural.
         const std::vector<int> all_but_scale = without(free_parameters(rule), {2});

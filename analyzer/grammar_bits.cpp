@@ -114,6 +114,15 @@ double group_bits(const Similarity& turtle, double symbols, double length_bits) 
            std::log2(symbols) + count_bits;
 }
 
+/// What the move of a group holds, measured as that of one of its elements; twice if it turns or grows as well.
+double move_bits(const MovedGroup& group, const WrittenGrammar& written, const Instancing& instancing) {
+    double log_size = 0;
+    for (std::size_t leaf = group.first_leaf; leaf < group.first_leaf + group.leaves; ++leaf)
+        log_size += std::log(scale_of(instancing.instances[static_cast<std::size_t>(written.element_of_leaf[leaf])].pose));
+    const double size = std::exp(log_size / static_cast<double>(group.leaves));
+    return (group.turned ? 4 : 2) * std::log2(1 + group.deviation / (precision * size));
+}
+
 }  // namespace
 
 double flat_list_bits(const Instancing& instancing, double diagonal) {
@@ -124,8 +133,7 @@ double flat_list_bits(const Instancing& instancing, double diagonal) {
 }
 
 DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,
-                                 const Instancing& instancing, const std::vector<double>& deviation, double diagonal,
-                                 double exact) {
+                                 const Instancing& instancing, const LeftOver& left_over, double diagonal, double exact) {
     DescriptionBits bits;
     const std::vector<double> flat = flat_bits(instancing, diagonal);
     double log_size = 0, drawn = 0;
@@ -178,6 +186,8 @@ DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGramm
         const int element = ordered.rules.items[static_cast<std::size_t>(root)].element;
         if (element >= 0) alone[static_cast<std::size_t>(element)] = 1;
     }
+    for (const MovedGroup& group : left_over.groups) bits.grammar += move_bits(group, written, instancing);
+    const std::vector<double>& deviation = left_over.deviation;
     for (std::size_t leaf = 0; leaf < deviation.size() && leaf < written.element_of_leaf.size(); ++leaf) {
         const auto element = static_cast<std::size_t>(written.element_of_leaf[leaf]);
         if (alone[element]) continue;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "analyzer/residuals.h"
 #include "analyzer/rule_model.h"
 #include "analyzer/to_grammar.h"
 
@@ -17,10 +18,15 @@ struct DescriptionBits {
 /// All elements written flat.
 double flat_list_bits(const Instancing& instancing, double diagonal);
 
-/// `deviation` by leaf as from with_residuals, which mended those over `exact` (a scene length). Precision: 0.2 % of an
-/// element's size. The outlines of the terminals and the styles' definitions count in neither.
+/// What with_residuals mended: leaves that deviate by more than `exact` (a scene length) after groups were moved.
+struct LeftOver {
+    const std::vector<double>& deviation;  ///< by leaf, as Residuals::left_over
+    const std::vector<MovedGroup>& groups;
+};
+
+/// What a grammar and its residuals hold. Precision: 0.2 % of an element's size. The outlines of the terminals and the styles'
+/// definitions count in neither.
 DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,
-                                 const Instancing& instancing, const std::vector<double>& deviation, double diagonal,
-                                 double exact = 0);
+                                 const Instancing& instancing, const LeftOver& left_over, double diagonal, double exact = 0);
 
 }  // namespace rinceau

@@ -14,6 +14,7 @@ struct Hypothesis {
     int to = 0;                          ///< group: the other part
     bool directed = false;               ///< `from` has no direction of its own: it heads along the step
     bool pairs_only = false;             ///< directed, and the turn from step to step is not known: pairs
+    bool upright = false;                ///< linear: all members keep their heading
     Similarity step;
     double turn_change = 0;  ///< linear
     double spin_change = 0;

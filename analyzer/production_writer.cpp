@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/rule_comment.h"
+#include "analyzer/upright_circle.h"
 
 namespace rinceau {
 
@@ -38,7 +39,8 @@ ModuleTemplate module_of(const WritingContext& context, int part) {
     if (at.look >= 0) return command(symbol);
     const RuleKind kind = context.rule_of(part).kind;
     if (kind == RuleKind::group) return command(symbol);
-    if (kind == RuleKind::ring) return command(symbol, symbol + "_count");
+    const bool round = context.rule_of(part).upright && comes_round(context.rule_of(part), at.count);
+    if (kind == RuleKind::ring || round) return command(symbol, symbol + "_count");
     return command(symbol, static_cast<double>(at.count));
 }
 
@@ -105,7 +107,7 @@ WrittenRule write_rule(const WritingContext& context, int part) {
         case RuleKind::ring:
             return write_ring(context, part);
         case RuleKind::linear:
-            return write_linear(context, part);
+            return context.rule_of(part).upright ? write_upright(context, part) : write_linear(context, part);
         case RuleKind::branch:
             return write_branch(context, part);
         case RuleKind::family:

@@ -67,6 +67,8 @@ WrittenRule write_sequence(const WritingContext& context, int part);
 WrittenRule write_ring(const WritingContext& context, int part);
 /// P(m) : m > 0 -> [A] T(t0 + tDelta m) P(m-1)                     (r1 with eq. 4)
 WrittenRule write_linear(const WritingContext& context, int part);
+/// P(m) : m > 0 -> [f(r) +(360/P_count*m) A] +(360/P_count) P(m-1), about the middle: members that keep their heading
+WrittenRule write_upright(const WritingContext& context, int part);
 /// R(m) : m > 0 -> [A] [T1 R(m-1)] .. [Tk R(m-1)], R(m) : m == 0 -> [B]   (r3, r4)
 WrittenRule write_branch(const WritingContext& context, int part);
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "analyzer/canonical_step.h"
+#include "analyzer/regauge.h"
 #include "geometry/kd_tree.h"
 #include "lsystem/turtle_step.h"
 
@@ -182,44 +183,76 @@ void propose_directed_steps(const SearchState& state, int p, const Voting& votin
     add_hypotheses(hypotheses, pattern, pairs.clusters(least, most_sequences), pairs.size());
 }
 
-/// The steps from every item of a row to its nearest few, in a row as well.
-std::vector<TurtleStep> steps_to_nearest_few(const SearchState& state, const Voting& voting) {
-    std::vector<TurtleStep> steps;
+/// A step of two neighbours, and whether they have one heading.
+struct NearStep {
+    TurtleStep turtle;
+    bool upright = false;
+};
+
+/// The steps from every item of a row to its nearest few, in a row as well. Of symmetric items, those poses are compared
+/// that turn least.
+std::vector<NearStep> steps_to_nearest_few(const SearchState& state, const Voting& voting) {
+    const bool symmetric = voting.part.symmetry.elements.size() > 2;
+    const double turn = state.tolerance.turn(voting.part.radius);
+    std::vector<NearStep> steps;
     for (std::size_t k = 0; k < voting.items.size(); ++k) {
-        const Similarity from_here = inverse(voting.poses[k]);
-        for (const int j : voting.nearest_few(k)) steps.push_back(to_turtle_step(from_here * voting.pose(j), still_of(state)));
+        const Similarity& here = voting.poses[k];
+        const Similarity from_here = inverse(here);
+        for (const int j : voting.nearest_few(k)) {
+            const Similarity step =
+                from_here * (symmetric ? nearest_pose(voting.part, voting.pose(j), here) : voting.pose(j));
+            steps.push_back(
+                {to_turtle_step(step, still_of(state)), !step.mirrored && abs(step.linear - Complex{1, 0}) <= turn});
+        }
     }
     return steps;
 }
 
-/// Steps of constant d and s whose alpha and beta grow evenly (eq. 4).
+/// The angle between two steps, as the first item sees it.
+double bend(const Voting& voting, std::size_t first, std::size_t second, std::size_t third) {
+    const Point here = voting.poses[second].translation;
+    const double angle = arg((voting.poses[third].translation - here) / (here - voting.poses[first].translation));
+    return voting.poses[first].mirrored ? -angle : angle;
+}
+
+/// Steps of constant d and s whose alpha and beta grow evenly (eq. 4); of symmetric parts only those that turn nothing,
+/// along a circle.
 void propose_linear_steps(const SearchState& state, int p, const Voting& voting, std::vector<Hypothesis>& hypotheses) {
     constexpr double largest_change = pi / 3;
+    constexpr double largest_upright_change = 1.01 * two_pi / 5;  // five make the smallest circle
+    const bool symmetric = voting.part.symmetry.elements.size() > 2;
     const VoteCell cell = vote_cell(state, p);
-    const std::vector<TurtleStep> steps = steps_to_nearest_few(state, voting);
+    const std::vector<NearStep> steps = steps_to_nearest_few(state, voting);
     const std::size_t few = voting.nearest_few(0).size();
-    StepVotes votes;
+    StepVotes bent, upright;
     for (std::size_t k = 0; k < voting.items.size(); ++k) {
         for (std::size_t n = 0; n < few; ++n) {
-            const TurtleStep& t1 = steps[k * few + n];
-            if (t1.advance <= 0 || t1.mirrored) continue;
+            const auto& [t1, upright1] = steps[k * few + n];
+            if (t1.advance <= 0 || t1.mirrored || (symmetric && !upright1)) continue;
             const auto j = static_cast<std::size_t>(voting.near(k)[n]);
             for (std::size_t m = 0; m < few; ++m) {
                 if (static_cast<std::size_t>(voting.near(j)[m]) == k) continue;
-                const TurtleStep& t2 = steps[j * few + m];
+                const auto& [t2, upright2] = steps[j * few + m];
                 if (t2.mirrored || std::abs(t2.advance - t1.advance) > state.tolerance.shift(1, t1.advance)) continue;
                 if (std::abs(t2.scale / t1.scale - 1) > state.tolerance.turn(1)) continue;
-                const double turn_change = wrap_angle(t2.turn - t1.turn);
-                const double spin_change = wrap_angle(t2.spin - t1.spin);
-                if (std::abs(turn_change) > largest_change || std::abs(spin_change) > largest_change) continue;
+                const bool keeps_heading = upright1 && upright2;
+                if (symmetric && !keeps_heading) continue;
+                const double turn_change = keeps_heading ? bend(voting, k, j, static_cast<std::size_t>(voting.near(j)[m]))
+                                                         : wrap_angle(t2.turn - t1.turn);
+                const double spin_change = keeps_heading ? -turn_change : wrap_angle(t2.spin - t1.spin);
+                const double largest = keeps_heading ? largest_upright_change : largest_change;
+                if (std::abs(turn_change) > largest || std::abs(spin_change) > largest) continue;
                 if (std::abs(turn_change) + std::abs(spin_change) < 2 * state.tolerance.angle) continue;
-                const Similarity first = inverse(voting.poses[k]) * voting.poses[j];
+                const Similarity first = to_similarity(t1);
                 const StepVote vote{first, voting.items[k], voting.items[j], turn_change, spin_change};
-                votes.add(vote, linear_coordinates(vote, cell));
+                (keeps_heading ? upright : bent).add(vote, linear_coordinates(vote, cell));
             }
         }
     }
-    add_hypotheses(hypotheses, {RuleKind::linear, p, p}, votes.clusters(2, most_sequences), votes.size());
+    Hypothesis pattern{RuleKind::linear, p, p};
+    add_hypotheses(hypotheses, pattern, bent.clusters(2, most_sequences), bent.size());
+    pattern.upright = true;
+    add_hypotheses(hypotheses, pattern, upright.clusters(3, most_sequences), upright.size());
 }
 
 }  // namespace
@@ -232,7 +265,7 @@ std::vector<Hypothesis> propose_sequences(const SearchState& state, int p) {
     propose_constant_steps(state, p, voting, hypotheses);
     if (state.part(p).symmetry.continuous) {
         propose_directed_steps(state, p, voting, hypotheses);
-    } else if (state.part(p).symmetry.elements.size() <= 2 && items.size() >= 4) {
+    } else if (items.size() >= 4) {
         propose_linear_steps(state, p, voting, hypotheses);
     }
     return hypotheses;

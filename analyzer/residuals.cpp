@@ -12,8 +12,6 @@ namespace rinceau {
 namespace {
 
 constexpr double residual_share = 0.3;  // of the tolerance, that a number of an exception may be off by
-constexpr const char* residuals_comment =
-    "from here on: where elements stand in the drawing; without these lines they stand regularly";
 
 /// Distance of the farthest outline point from the origin, unit frame.
 double outline_reach(const Look& look) {
@@ -87,15 +85,12 @@ std::vector<ModuleTemplate> move_of(const LeafResidual& residual, double toleran
 
 }  // namespace
 
-Residuals with_residuals(const WrittenGrammar& written, const Instancing& instancing, double tolerance) {
-    return with_residuals(written.grammar, leaf_residuals(written, instancing), tolerance);
-}
-
 Residuals with_residuals(const Grammar& grammar, const std::vector<LeafResidual>& residuals, double tolerance,
                          const std::vector<bool>& left) {
     Residuals result;
     result.grammar = grammar;
-    bool commented = false;
+    bool commented =
+        std::ranges::find(grammar.exceptions, residuals_comment, &Exception::comment) != grammar.exceptions.end();
     std::map<std::vector<int>, std::size_t> exception_at;  // of stand-ins and other styles
     for (std::size_t e = 0; e < grammar.exceptions.size(); ++e) {
         if (!grammar.exceptions[e].successor.empty()) exception_at[grammar.exceptions[e].address] = e;
@@ -104,6 +99,7 @@ Residuals with_residuals(const Grammar& grammar, const std::vector<LeafResidual>
         const LeafResidual& residual = residuals[leaf];
         const Placement& placement = residual.placement;
         result.deviation.push_back(residual.deviation);
+        result.left_over.push_back(residual.deviation);
         if (residual.deviation <= tolerance || (!left.empty() && left[leaf])) continue;
         std::vector<ModuleTemplate> move = move_of(residual, tolerance);
         ++result.exceptions;

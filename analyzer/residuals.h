@@ -21,17 +21,27 @@ struct LeafResidual {
 /// In order of derivation.
 std::vector<LeafResidual> leaf_residuals(const WrittenGrammar& written, const Instancing& instancing);
 
+/// A group whose elements were moved together.
+struct MovedGroup {
+    std::size_t first_leaf = 0, leaves = 0;  ///< in order of derivation
+    double deviation = 0;                    ///< how far the farthest was moved, scene length
+    bool turned = false;                     ///< or scaled
+};
+
 struct Residuals {
     Grammar grammar;                ///< with the exceptions
-    std::vector<double> deviation;  ///< by leaf, before the exceptions: outline deviation, scene length
+    std::vector<double> deviation;  ///< by leaf, before all exceptions: outline deviation, scene length
+    std::vector<double> left_over;  ///< by leaf, where groups are moved
+    std::vector<MovedGroup> groups;
     int exceptions = 0;
 };
 
-/// Elements that deviate by more than `tolerance` (scene length) are moved to where the drawing has them.
-Residuals with_residuals(const WrittenGrammar& written, const Instancing& instancing, double tolerance);
+/// Above the first exception that moves something.
+inline constexpr const char* residuals_comment =
+    "from here on: where elements stand in the drawing; without these lines they stand regularly";
 
-/// The same for residuals that are known, but for those leaves that are `left` where the rules draw them (by leaf; none if
-/// it is empty).
+/// Elements that deviate by more than `tolerance` (scene length) are moved to where the drawing has them, one by one, but
+/// for those leaves that are `left` where the rules draw them (by leaf; none if it is empty).
 Residuals with_residuals(const Grammar& grammar, const std::vector<LeafResidual>& residuals, double tolerance,
                          const std::vector<bool>& left = {});
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "analyzer/even_places.h"
 
@@ -41,11 +42,61 @@ Point place_in(const Ring& ring, std::size_t k) {
     return ring.centre + ring.first * polar(1, two_pi * static_cast<double>(k) / static_cast<double>(ring.bodies.size()));
 }
 
+/// How the members of a ring stand: turned with it, each facing the centre as the others do, or all facing one way.
+struct Heading {
+    CommonLinear common;  ///< against the way from the centre to the member, or in the scene
+    bool upright = false;
+};
+
+std::optional<Heading> heading_of(std::span<const Complex> turning, std::span<const Complex> upright, const BodyForm& form) {
+    const auto with_ring = common_linear(turning, form);
+    const auto one_way = form.fold > 0 ? common_linear(upright, form) : std::nullopt;
+    if (one_way && (!with_ring || one_way->turned < with_ring->turned)) return Heading{*one_way, true};
+    if (with_ring) return Heading{*with_ring, false};
+    return std::nullopt;
+}
+
+/// The ring turned so that its phase is natural, if it nearly is.
+Complex natural_phase(Complex first, std::size_t n, double error) {
+    constexpr double deviations = 3;  // standard errors
+    constexpr double clear = 4;       // the unit must be clearly more than the error, else anything is a multiple of it
+    const double unit = pi / static_cast<double>(std::lcm(std::size_t{2}, n));
+    const double off = std::remainder(arg(first), unit);
+    return unit < clear * error || std::abs(off) > deviations * error ? first : first * polar(1, -off);
+}
+
+/// The same ring beginning with the member whose place is nearest to the right of the centre, so that rings alike begin
+/// alike.
+Ring begun_at_right(Ring ring) {
+    const auto n = static_cast<double>(ring.bodies.size());
+    const int places = static_cast<int>(std::lround(-arg(ring.first) / two_pi * n));
+    const auto size = static_cast<int>(ring.bodies.size());
+    std::rotate(ring.bodies.begin(), ring.bodies.begin() + ((places % size) + size) % size, ring.bodies.end());
+    ring.first = ring.first * polar(1, two_pi * places / n);
+    return ring;
+}
+
+/// All members face one way: the ring's frame is that of the scene, turning it changes it.
+Arrangement upright_ring(std::span<const Body> bodies, const Ring& given, const CommonLinear& common, double error,
+                         Arrangement result) {
+    constexpr int upright_mark = 3;
+    Ring ring = begun_at_right(given);
+    ring.first = natural_phase(ring.first, ring.bodies.size(), error);
+    const auto n = static_cast<double>(ring.bodies.size());
+    const bool mirrored = bodies[static_cast<std::size_t>(ring.bodies.front())].pose.mirrored;
+    for (std::size_t k = 0; k < ring.bodies.size(); ++k)
+        result.slots.push_back({common.linear, Point(ring.first * polar(1, two_pi * static_cast<double>(k) / n)), mirrored});
+    result.whole = {{1, 0}, ring.centre, false};
+    result.signature = {upright_mark, static_cast<int>(ring.bodies.size())};
+    result.bodies = std::move(ring.bodies);
+    return result;
+}
+
 std::optional<Arrangement> arranged(std::span<const Body> bodies, const Ring& ring, const BodyForm& form, const ArrangementScale& scale) {
     const auto n = static_cast<double>(ring.bodies.size());
     const double radius = abs(ring.first);
     const double spacing = 2 * radius * std::sin(pi / n);
-    std::vector<Complex> linears;
+    std::vector<Complex> turning, upright;
     std::vector<Point> shifts;
     std::vector<std::pair<int, int>> neighbours;
     double radial = 0, tangential = 0;
@@ -55,33 +106,36 @@ std::optional<Arrangement> arranged(std::span<const Body> bodies, const Ring& ri
         const Point off = (pose.translation - place_in(ring, k)) / outward;
         radial += off.x * off.x / n;
         tangential += off.y * off.y / n;
-        linears.push_back(pose.linear / outward);
+        turning.push_back(pose.linear / outward);
+        upright.push_back(pose.linear);
         shifts.push_back(off);
         neighbours.emplace_back(static_cast<int>(k), static_cast<int>((k + 1) % ring.bodies.size()));
     }
-    if (is_smooth(shifts, neighbours)) return std::nullopt;
-    const auto linear = common_linear(linears, form);
-    if (!linear) return std::nullopt;
+    const auto heading = heading_of(turning, upright, form);
+    if (!heading) return std::nullopt;
     Arrangement result;
-    result.is_ring = true;
     result.spacing = spacing;
     result.spread = std::sqrt((radial + tangential) / 2);
+    if (result.spread > scale.precision && is_smooth(shifts, neighbours)) return std::nullopt;
     if (!(result.spread <= clearly_apart * spacing)) return std::nullopt;
     double chance = (n - 3) * log2_hit(std::sqrt(radial), radius) + (n - 2) * log2_hit(std::sqrt(tangential), spacing);
-    if (form.fold > 0) chance += (n - 1) * log2_hit(linear->turned, two_pi / form.fold);
+    if (form.fold > 0) chance += (n - 1) * log2_hit(heading->common.turned, two_pi / form.fold);
     if (chance > arrangement_chance_bits) return std::nullopt;
     result.bits_saved = 2 * n * std::log2(scale.extent / scale.precision) - ring_bits -
                         2 * n * std::log2(1 + result.spread / scale.precision);
+    result.turned = heading->common.turned;
+    if (heading->upright)
+        return upright_ring(bodies, ring, heading->common, result.spread / (std::sqrt(n) * radius), std::move(result));
+    result.is_ring = true;
     result.bodies = ring.bodies;
     result.whole = {ring.first / radius, ring.centre, false};
     constexpr int ring_mark = 2;
     result.form.fold = static_cast<int>(ring.bodies.size());
     result.signature = {ring_mark, result.form.fold};
-    result.turned = linear->turned;
     const bool mirrored = bodies[static_cast<std::size_t>(ring.bodies.front())].pose.mirrored;
     for (std::size_t k = 0; k < ring.bodies.size(); ++k) {
         const Complex turned = polar(1, two_pi * static_cast<double>(k) / n);
-        result.slots.push_back({linear->linear * turned, radius * turned, mirrored});
+        result.slots.push_back({heading->common.linear * turned, radius * turned, mirrored});
     }
     return result;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analyzer/module_writer.h"
+#include "analyzer/upright_circle.h"
 #include "lsystem/number_text.h"
 
 namespace rinceau {
@@ -239,6 +240,18 @@ std::string linear_comment(const Rule& rule, const std::string& what) {
     return text;
 }
 
+/// "a ring of 12 A, all facing one way, radius 180"
+std::string upright_comment(const RuleSet& rules, const Part& part, const std::string& what, const RuleUse& use) {
+    const Rule& rule = rule_of(rules, part);
+    const bool ring = comes_round(rule, part.count);
+    const Similarity& pose = rules.items[static_cast<std::size_t>(use.item)].pose;
+    const double radius = abs(circle_centre(rule)) * scale_of(pose) * scale_of(part.children.front().pose);
+    const std::string text =
+        std::string(ring ? "a ring of " : "an arc of ") + std::to_string(part.count) + " " + what + ", all facing one way";
+    if (!ring) return text + ", " + short_number(std::abs(degrees(rule.turn_change))) + " degrees apart";
+    return use.even ? text + ", radius " + short_number(radius) : text;
+}
+
 }  // namespace
 
 std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<RuleUse>& uses) {
@@ -246,6 +259,7 @@ std::string rule_name(const RuleSet& rules, const Part& part, const std::vector<
         case RuleKind::ring:
             return "Ring";
         case RuleKind::linear:
+            if (rule_of(rules, part).upright) return comes_round(rule_of(rules, part), part.count) ? "Ring" : "Arc";
             return bends(rule_of(rules, part)) ? "Curve" : "Row";
         case RuleKind::family:
             return "Triangle";
@@ -269,6 +283,7 @@ std::string rule_comment(const RuleSet& rules, const Part& part, const std::vect
     if (rule.kind == RuleKind::branch) return branch_comment(rules, part, names, use);
     const std::string& what = names[static_cast<std::size_t>(rule.repeated)];
     if (rule.kind == RuleKind::ring) return ring_comment(rules, part, what, use);
+    if (rule.upright) return upright_comment(rules, part, what, use);
     if (rule.kind == RuleKind::linear) return linear_comment(rule, count_text(use) + " " + what);
     if (rule.kind == RuleKind::family) {
         const int first = rules.parts[static_cast<std::size_t>(part.children[0].part)].count;

@@ -39,6 +39,8 @@ struct Rule {
     double advance_change = 0;  ///< linear: what its length grows by, in sizes of the first repetition ..
     double advance_factor = 1;  ///< .. and is multiplied with each time
     double size_change = 0;     ///< linear: repetition k is 1 + k * size_change times as large as the first
+    bool upright = false;  ///< linear: members on a circle that keep their heading; the step turns nothing, and alpha and
+                           ///< beta change by opposite amounts
     Point seat;                 ///< linear: of the repeated part's frame; steps lead from seat to seat, and sizes are about it
     std::vector<Child> members;  ///< group: relative to the first, whose pose is the identity; branch: what stands at every
                                  ///< node, in the node's frame, possibly nothing (a drawing that consists of small copies

@@ -42,6 +42,29 @@ double median_nearest(const std::vector<Point>& origins, double otherwise) {
     return median > 0 ? median : otherwise;
 }
 
+/// The first of each place; what is within `reach` of another point stands in its place.
+std::vector<Point> distinct_places(const std::vector<Point>& origins, double reach) {
+    const KdTree tree(origins);
+    std::vector<char> taken(origins.size(), 0);
+    std::vector<Point> places;
+    for (std::size_t i = 0; i < origins.size(); ++i) {
+        if (taken[i]) continue;
+        places.push_back(origins[i]);
+        for (const Neighbor& near : tree.within(origins[i], reach)) taken[near.index] = 1;
+    }
+    return places;
+}
+
+/// As median_nearest; where most stand within `reach` of another one, as far apart as many places on the same area with one
+/// each would be: what is in one place, but for rounding, is no sign of a crowd.
+double spacing_of(const std::vector<Point>& origins, double reach, double otherwise) {
+    const double nearest = median_nearest(origins, otherwise);
+    if (nearest > reach) return nearest;
+    const std::vector<Point> places = distinct_places(origins, reach);
+    const double each = static_cast<double>(origins.size()) / static_cast<double>(places.size());
+    return median_nearest(places, otherwise) / std::sqrt(each);
+}
+
 PartCost part_cost(const SearchState& state, int p, double part_bits) {
     const Part& part = state.part(p);
     const std::vector<int>& items = state.alive(p);
@@ -70,7 +93,7 @@ PartCost part_cost(const SearchState& state, int p, double part_bits) {
     cost.scale_bits = sample_entropy(std::move(scales), scale_cap);
     std::vector<Point> origins;
     for (const int i : items) origins.push_back(state.item(i).pose.translation);
-    cost.neighbour_distance = median_nearest(origins, 0.1 * state.diagonal);
+    cost.neighbour_distance = spacing_of(origins, state.tolerance.size * cost.size, 0.1 * state.diagonal);
     cost.item_bits = 2 * cost.place_bits + cost.angle_bits + cost.scale_bits + part_bits;
     return cost;
 }

@@ -48,6 +48,15 @@ TEST_CASE("rows that alternate from either colour on have their phase as paramet
     CHECK(found.parameter == std::vector<Tint>{0, 1, 0});
 }
 
+TEST_CASE("all are a copy's own but the last, which is alike everywhere") {
+    const TintPattern found = pattern_of(rows({{3, 9}, {4, 9}, {5, 9}, {7, 9}, {8, 9}, {2, 9}}));
+    CHECK(found.expression == parse_expression("if(m == 1, 9, c)"));
+    CHECK(found.departures.empty());
+    CHECK(found.parameter == std::vector<Tint>{3, 4, 5, 7, 8, 2});
+    const TintPattern first = pattern_of(rows({{1, 3, 3, 3}, {1, 2, 2, 2}, {1, 7, 7, 7}, {1, 8, 8, 8}}));
+    CHECK(first.expression == parse_expression("if(m == 4, 1, c)"));
+}
+
 TEST_CASE("one that departs is left to an exception, with what is missing") {
     const TintPattern found = pattern_of(rows({{3, 3, 3, 3}, {3, 3, 5, 3}, {3, 3, 3, 3}, {3, 3, 3, 3}}));
     CHECK(found.expression == number_expression(3));

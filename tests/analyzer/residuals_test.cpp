@@ -6,8 +6,8 @@
 #include "analyzer/analyze.h"
 #include "analyzer/generate_rules.h"
 #include "analyzer/grammar_bits.h"
+#include "analyzer/group_residuals.h"
 #include "analyzer/order_rules.h"
-#include "analyzer/residuals.h"
 #include "closed_loop/scenes.h"
 #include "closed_loop/shapes.h"
 #include "lsystem/interpret.h"
@@ -51,7 +51,8 @@ Found found_in(const Scene& scene) {
 
 DescriptionBits bits_of(const Found& found) {
     const Residuals exact = with_residuals(found.written, found.instancing, 1e-3);
-    return description_bits(found.ordered, found.written, exact.grammar, found.instancing, exact.deviation, found.diagonal);
+    return description_bits(found.ordered, found.written, exact.grammar, found.instancing, {exact.left_over, exact.groups},
+                            found.diagonal);
 }
 
 }  // namespace
@@ -117,8 +118,8 @@ TEST_CASE("the list of all elements costs what the drawing costs, and deviations
     Instancing shaken = row.instancing;
     for (std::size_t i = 0; i < shaken.instances.size(); i += 3) shaken.instances[i].pose.translation += Point{0.3, 0};
     const Residuals exact = with_residuals(row.written, shaken, 1e-3);
-    const DescriptionBits rough =
-        description_bits(row.ordered, row.written, exact.grammar, row.instancing, exact.deviation, row.diagonal);
+    const DescriptionBits rough = description_bits(row.ordered, row.written, exact.grammar, row.instancing,
+                                                   {exact.left_over, exact.groups}, row.diagonal);
     CHECK(rough.grammar > bits_of(row).grammar + 10);
 }
 

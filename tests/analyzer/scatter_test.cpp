@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analyzer/generate_rules.h"
+#include "analyzer/group_residuals.h"
 #include "analyzer/order_rules.h"
 #include "closed_loop/scenes.h"
 #include "closed_loop/shapes.h"

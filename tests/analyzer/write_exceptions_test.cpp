@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "analyzer/generate_rules.h"
+#include "analyzer/group_residuals.h"
 #include "analyzer/inline_groups.h"
 #include "analyzer/order_rules.h"
 #include "analyzer/regauge.h"
-#include "analyzer/residuals.h"
 #include "closed_loop/shapes.h"
 #include "lsystem/interpret.h"
 
