@@ -44,9 +44,10 @@ std::optional<double> Arguments::length(std::size_t i, LengthAxis axis) const {
 
 // Radians.
 std::optional<double> Arguments::angle(std::size_t i) const {
+    constexpr double largest = 1e300;  // beyond, what is computed of it is no number
     TextCursor cursor{words[i]};
     const std::optional<double> value = read_number(cursor);
-    if (!value) return std::nullopt;
+    if (!value || std::abs(*value) > largest) return std::nullopt;
     const std::string unit = lower_case(cursor.text.substr(cursor.at));
     if (unit.empty()) return radians(*value);
     if (!css) return std::nullopt;

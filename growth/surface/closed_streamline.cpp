@@ -16,6 +16,7 @@ constexpr double default_longest = 10;  // diagonals
 constexpr double piece_share = 0.5;     // of the nearness
 constexpr double sheets_agree = 0.3;    // cosine between normals: not the other side of a thin sheet
 constexpr double rounding = 1e-3;       // of a piece
+constexpr double least_way = 0.5;       // of a piece: a walk that is shorter is caught in a singular point
 constexpr int most_corrections = 5;     // of the length, each by what is left to the start
 
 /// Length and gap of a line that came back.
@@ -42,7 +43,7 @@ std::optional<WayRound> way_round(const SurfaceMesh& surface, const FieldOnSurfa
     RowPlace here = start;
     for (double walked = 0; walked < longest;) {
         SurfaceTrace walk = trace(surface, field, here.at, here.direction, piece);
-        if (walk.at_border || walk.length <= 0) return std::nullopt;
+        if (walk.at_border || walk.length < least_way * piece) return std::nullopt;
         SpacePoint off = position_in_space(surface, walk.end) - from.origin;
         // the piece that passes the start, which lies at most half a piece behind or ahead of its end
         bool passes = abs(off) <= nearest && std::abs(dot(off, from.ahead)) <= piece * (0.5 + rounding) &&

@@ -117,8 +117,9 @@ TEST_CASE("a list of transforms applies the last one first") {
 }
 
 TEST_CASE("faulty transforms are refused with a reason") {
-    for (const char* text : {"rotate(1,2)", "translate()", "translate(1,)", "scale(1 2 3)", "foo(1)", "matrix(1 2 3)",
-                             "translate(1px)", "rotate(45deg)", "translate(1", "12", "scale(1e400)", "translate(1),"}) {
+    for (const char* text :
+         {"rotate(1,2)", "translate()", "translate(1,)", "scale(1 2 3)", "foo(1)", "matrix(1 2 3)", "translate(1px)",
+          "rotate(45deg)", "translate(1", "12", "scale(1e400)", "rotate(1e308)", "translate(1),"}) {
         CAPTURE(text);
         const ParsedTransform parsed = parse_transform_attribute(text);
         CHECK_FALSE(parsed.map);

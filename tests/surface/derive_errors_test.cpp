@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "derivation_world.h"
+#include "growth/surface/surface_world.h"
 
 using namespace rinceau;
 
@@ -64,4 +65,22 @@ TEST_CASE("the limit of seconds holds while axioms are placed, too") {
     CHECK_FALSE(pattern.complete);
     CHECK(holds(pattern.limit, "seconds"));
     CHECK(count_of(pattern, "a") < 400);
+}
+
+TEST_CASE("a line that is caught in a singular point does not come back to its start, and is not waited for") {
+    const ShapeGrammar grammar = parse_shape_grammar(
+        "param s = 0.035 * diagonal\n"
+        "param middle = (left + right) / 2\n"
+        "param high = (bottom + top) / 2\n"
+        "field F1 = direction y = 1\n"
+        "shape pearl = sphere\n"
+        "axiom nearest middle high front [Row(1)] T(-1.05*s,0,0) Row(-1)\n"
+        "axiom scatter 60 [Row(1)] T(-1.05*s,0,0) Row(-1)\n"
+        "Row(way) : near(\"pearl\") > 0.8*s ~ [Rz(90) String] T(1>05*way*s,0,0) Row(way) @ -1\n"
+        "String : F1.loop > 2*s ~ Pearl(3*round(F1.loop/(3*s)), F1.loop/(3*round(F1.loop/(3+s))), 0)\n"
+        "Pearl(n,w,i) : i < n ~ S(0.92*w,0.92*w,0.8*s) IC(\"pearl\") T(w,0,0) Pearl(n,w,i+1)\n");
+    const auto torus = std::make_shared<const SurfaceMesh>(surface_mesh(torus_triangles(12, 8, 2, 0.7)));
+    ShapeDerivationOptions options = options_of(grammar);
+    options.max_seconds = 1;
+    CHECK(derive_shapes(grammar, make_world(grammar, torus, {}), options).counts.rules_applied > 0);
 }
