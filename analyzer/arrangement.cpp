@@ -16,6 +16,13 @@ double laid_along(double direction, const BodyForm& form, double error) {
     return std::abs(off) <= std::min(largest_error, deviations * error) ? direction - off : direction;
 }
 
+double off_natural(double angle, double unit, double error) {
+    constexpr double deviations = 3;
+    constexpr double clear = 4;
+    const double off = std::remainder(angle, unit);
+    return unit < clear * error || std::abs(off) > deviations * error ? 0 : off;
+}
+
 std::optional<CommonLinear> common_linear(std::span<const Complex> linears, const BodyForm& form) {
     const double largest_turn = radians(25);
     constexpr double largest_log_ratio = 0.25;

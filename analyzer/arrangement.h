@@ -60,6 +60,10 @@ std::optional<CommonLinear> common_linear(std::span<const Complex> linears, cons
 /// standard errors.
 double laid_along(double direction, const BodyForm& form, double error);
 
+/// How far the angle is from the next multiple of `unit`; 0 if that is more than three standard errors, or if the unit is
+/// not clearly more than the error, as anything would be a multiple of it then.
+double off_natural(double angle, double unit, double error);
+
 /// Does a body of this direction have a mirror axis along the x axis?
 bool lies_along(double direction, const BodyForm& form);
 

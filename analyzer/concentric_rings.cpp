@@ -63,10 +63,7 @@ void join_centres(const Rings& rings) {
 
 /// Turns the ring so that its phase is a multiple of `unit` against `reference`, if it nearly is.
 void turn_to(Arrangement& ring, Complex reference, double unit, double error) {
-    const double off = std::remainder(arg(ring.whole.linear / reference), unit);
-    constexpr double clear = 4;  // the unit must be clearly more than the error, else anything is a multiple of it
-    if (unit < clear * error || std::abs(off) > deviations * error) return;
-    ring.whole.linear = ring.whole.linear * polar(1, -off);
+    ring.whole.linear = ring.whole.linear * polar(1, -off_natural(arg(ring.whole.linear / reference), unit, error));
 }
 
 void join_phases(const Rings& rings) {

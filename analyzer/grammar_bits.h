@@ -24,8 +24,8 @@ struct LeftOver {
     const std::vector<MovedGroup>& groups;
 };
 
-/// What a grammar and its residuals hold. Precision: 0.2 % of an element's size. The outlines of the terminals and the styles'
-/// definitions count in neither.
+/// What a grammar and its residuals hold. Precision: 0.2 % of an element's size. The outlines of the terminals and the
+/// styles' definitions count in neither.
 DescriptionBits description_bits(const OrderedRules& ordered, const WrittenGrammar& written, const Grammar& final_grammar,
                                  const Instancing& instancing, const LeftOver& left_over, double diagonal, double exact = 0);
 

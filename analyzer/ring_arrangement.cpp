@@ -56,15 +56,6 @@ std::optional<Heading> heading_of(std::span<const Complex> turning, std::span<co
     return std::nullopt;
 }
 
-/// The ring turned so that its phase is natural, if it nearly is.
-Complex natural_phase(Complex first, std::size_t n, double error) {
-    constexpr double deviations = 3;  // standard errors
-    constexpr double clear = 4;       // the unit must be clearly more than the error, else anything is a multiple of it
-    const double unit = pi / static_cast<double>(std::lcm(std::size_t{2}, n));
-    const double off = std::remainder(arg(first), unit);
-    return unit < clear * error || std::abs(off) > deviations * error ? first : first * polar(1, -off);
-}
-
 /// The same ring beginning with the member whose place is nearest to the right of the centre, so that rings alike begin
 /// alike.
 Ring begun_at_right(Ring ring) {
@@ -81,8 +72,9 @@ Arrangement upright_ring(std::span<const Body> bodies, const Ring& given, const 
                          Arrangement result) {
     constexpr int upright_mark = 3;
     Ring ring = begun_at_right(given);
-    ring.first = natural_phase(ring.first, ring.bodies.size(), error);
     const auto n = static_cast<double>(ring.bodies.size());
+    const double unit = pi / static_cast<double>(std::lcm(std::size_t{2}, ring.bodies.size()));
+    ring.first = ring.first * polar(1, -off_natural(arg(ring.first), unit, error));
     const bool mirrored = bodies[static_cast<std::size_t>(ring.bodies.front())].pose.mirrored;
     for (std::size_t k = 0; k < ring.bodies.size(); ++k)
         result.slots.push_back({common.linear, Point(ring.first * polar(1, two_pi * static_cast<double>(k) / n)), mirrored});
