@@ -191,7 +191,8 @@ class ElementMatcher {
     }
 
     /// A symmetry may be used by every member, so the largest member says how exact it must be; and it adds to the member's
-    /// own deviation, hence half the share of the diagonal.
+    /// own deviation, hence half the share of the diagonal. The whole share for circles: one that fills the picture is off
+    /// by nearly as much, as all curves are that stand for circles, and must not make small ones lose their roundness.
     void find_symmetries(const Progress& progress) {
         std::vector<double> largest(matching_.classes.size(), 0);
         for (const ShapeMatch& match : matching_.matches)
@@ -205,8 +206,10 @@ class ElementMatcher {
             const int item = item_of_[static_cast<std::size_t>(shape.representative)];
             if (item < 0) continue;
             const OutlineItem& representative = items_[static_cast<std::size_t>(item)];
-            shape.symmetry = symmetry_of(representative.descriptor.moments, fine_outline_of(representative),
-                                         allowed_deviation(largest[c], diagonal_, options_, 0.5));
+            const double allowed = allowed_deviation(largest[c], diagonal_, options_, 0.5);
+            const double allowed_of_circle = allowed_deviation(largest[c], diagonal_, options_);
+            shape.symmetry =
+                symmetry_of(representative.descriptor.moments, fine_outline_of(representative), allowed, allowed_of_circle);
         }
     }
 

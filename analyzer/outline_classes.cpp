@@ -8,6 +8,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "analyzer/point_symmetry.h"
+
 namespace rinceau {
 
 namespace {
@@ -122,12 +124,14 @@ class Classifier {
         }
     }
 
-    /// Makes the most typical member, of the fewest segments, the representative where all others match it.
+    /// Makes the most typical member, of the fewest segments, the representative where all others match it; of circles the
+    /// largest, whose coordinates are the least rounded.
     void elect_representatives(const Progress& progress) {
         for (OutlineGroup& group : groups_) {
             report(progress, "similarity", 1);
             if (group.members.size() < 2) continue;
-            const int elected = typical_member(group);
+            const int largest = largest_member(group);
+            const int elected = is_round(largest) ? largest : typical_member(group);
             if (elected != group.representative) realign(group, elected);
         }
     }
@@ -218,6 +222,16 @@ class Classifier {
             own.push_back(static_cast<int>(groups_.size()));
             lead(m);
         }
+    }
+
+    int largest_member(const OutlineGroup& group) const {
+        return *std::ranges::max_element(group.members, {},
+                                         [&](int m) { return items_[static_cast<std::size_t>(m)].descriptor.rms_radius; });
+    }
+
+    bool is_round(int m) const {
+        const OutlineItem& item = items_[static_cast<std::size_t>(m)];
+        return is_circular(item.descriptor.moments, fine_outline_of(item), item.distance);
     }
 
     int typical_member(const OutlineGroup& group) const {

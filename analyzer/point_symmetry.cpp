@@ -16,12 +16,6 @@ bool maps_to_itself(const Moments& moments, const FineOutline& outline, const Si
            within_distance(outline, map, outline, distance);
 }
 
-bool is_circular(const Moments& moments, const FineOutline& outline, double distance) {
-    for (const double angle : {0.37, 1.03, 2.41})  // radians, far from every fraction of a turn of small order
-        if (!maps_to_itself(moments, outline, rotate(angle), distance)) return false;
-    return true;
-}
-
 /// Near-symmetric shapes pass single turns of wrong orders, never all of them.
 bool has_order(const Moments& moments, const FineOutline& outline, int order, double distance) {
     for (int i = 1; i < order; ++i)
@@ -71,9 +65,15 @@ std::vector<double> mirror_candidates(const Moments& moments, const FineOutline&
 
 }  // namespace
 
-SymmetryGroup symmetry_of(const Moments& moments, const FineOutline& outline, double distance) {
+bool is_circular(const Moments& moments, const FineOutline& outline, double distance) {
+    for (const double angle : {0.37, 1.03, 2.41})  // radians, far from every fraction of a turn of small order
+        if (!maps_to_itself(moments, outline, rotate(angle), distance)) return false;
+    return true;
+}
+
+SymmetryGroup symmetry_of(const Moments& moments, const FineOutline& outline, double distance, double round_distance) {
     SymmetryGroup group;
-    if (is_circular(moments, outline, distance)) {
+    if (is_circular(moments, outline, round_distance)) {
         group.continuous = true;
         return group;
     }

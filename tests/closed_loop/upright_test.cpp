@@ -27,9 +27,10 @@ std::vector<std::pair<std::string, Element>> upright_shapes() {
             {"square", element(rectangle(12, 12), filled(yellow))}};
 }
 
-Analysis analysed(const std::string& rules, const std::vector<std::pair<std::string, Element>>& terminals) {
+Analysis analysed(const std::string& rules, const std::vector<std::pair<std::string, Element>>& terminals,
+                  double rounding = 1e-3) {
     Random random(5);
-    return analyze(shuffled(rounded(drawn_scene(known_grammar(rules, terminals)), 1e-3), random));
+    return analyze(shuffled(rounded(drawn_scene(known_grammar(rules, terminals)), rounding), random));
 }
 
 const Production* production(const Grammar& grammar, const std::string& symbol) {
@@ -185,4 +186,17 @@ TEST_CASE("a disc and the ring about it are one thing before they stand in rows,
     const Production* nest = production(found.grammar, "Nest");
     REQUIRE(nest != nullptr);
     CHECK(nest->comment.starts_with("a nest of 2"));
+}
+
+TEST_CASE("discs on a circle have no angle, however large a circle of the drawing is") {
+    for (const double large : {20, 70, 100}) {
+        const std::string rules = "axiom: [*(" + std::to_string(large / 10) +
+                                  ") disc] Ring(7)\nRing(m) : m > 0 -> [f(80) disc] +(360/7) Ring(m-1)";
+        const auto discs = element(transformed(circle(), scale_by(10)), stroked(dark, 1));
+        const Analysis analysis = analysed(rules, {{"disc", discs}}, 1e-4);
+        const std::string text = to_text(analysis.grammar);
+        CAPTURE(large, text);
+        CHECK(text.find("Ring(m) : m > 0 -> [f(8") != std::string::npos);
+        CHECK(text.find("Ring_count*m") == std::string::npos);  // they do not "face one way"
+    }
 }
