@@ -8,6 +8,7 @@
 #include <map>
 
 #include "analyzer/regular_drawing.h"
+#include "analyzer/regular_roots.h"
 #include "geometry/parallel.h"
 
 namespace rinceau {
@@ -235,9 +236,13 @@ std::vector<Description> describe_irregular(const std::vector<Drawing>& drawings
     std::vector<std::span<const SearchState>> starts;
     for (const SearchState& state : states) starts.emplace_back(&state, 1);
     std::vector<Description> loose = describe_all(meant, starts, search, threads, progress);
-    std::erase_if(loose, [&](const Description& each) { return !says_clearly_less(each, exact); });
     for (Description& description : loose) {
         description.reading = drawn[static_cast<std::size_t>(description.reading - meant.data())];
+    }
+    std::erase_if(loose, [&](const Description& each) { return !says_clearly_less(each, exact); });
+    // What keeps the best exact rules and says more need only be shorter.
+    if (!exact.empty()) {
+        if (auto placed = with_regular_roots(exact.front(), search, progress)) loose.push_back(std::move(*placed));
     }
     // Beside exact ones the cost decides; these keep their order.
     const auto place = [&](const Description& each) {

@@ -152,9 +152,10 @@ std::vector<std::pair<int, int>> neighbours_in(const Table& table, const Arrange
     return neighbours;
 }
 
-/// Do places or directions change smoothly along rows and columns?
+/// Do places or directions change smoothly along rows and columns, by more than rounding?
 bool follows_a_curve(const Arrangement& arrangement, std::span<const Body> bodies, const BodyForm& form,
-                     std::span<const std::pair<int, int>> neighbours) {
+                     std::span<const std::pair<int, int>> neighbours, double precision) {
+    constexpr double least_turn = 0.002;  // radians
     std::vector<Point> shifts, turns;
     for (std::size_t k = 0; k < arrangement.bodies.size(); ++k) {
         const Similarity& drawn = bodies[static_cast<std::size_t>(arrangement.bodies[k])].pose;
@@ -162,7 +163,8 @@ bool follows_a_curve(const Arrangement& arrangement, std::span<const Body> bodie
         shifts.push_back(drawn.translation - meant.translation);
         turns.push_back({wrap_angle(form.fold * arg(drawn.linear / meant.linear)), 0});
     }
-    return is_smooth(shifts, neighbours) || is_smooth(turns, neighbours);
+    return (arrangement.spread > precision && is_smooth(shifts, neighbours)) ||
+           (arrangement.turned > least_turn && is_smooth(turns, neighbours));
 }
 
 }  // namespace
@@ -186,8 +188,8 @@ std::optional<Arrangement> arrange_in_lattice(std::span<const Body> bodies, std:
     const double flat = 2 * static_cast<double>(chosen.size()) * std::log2(scale.extent / scale.precision);
     if (!(best.bits < flat)) return std::nullopt;
     Arrangement result = arrangement_of(best, bodies, chosen, linear->linear);
-    if (follows_a_curve(result, bodies, form, neighbours_in(best, result, chosen))) return std::nullopt;
     result.turned = linear->turned;
+    if (follows_a_curve(result, bodies, form, neighbours_in(best, result, chosen), scale.precision)) return std::nullopt;
     result.bits_saved = flat - best.bits;
     return result;
 }

@@ -30,20 +30,18 @@ struct Kind {
     double size = 1;  // geometric mean of the elements' sizes
 };
 
-std::vector<Kind> kinds_of_looks(const Instancing& instancing) {
+std::vector<Kind> kinds_of(std::span<const PlacedCopy> copies) {
     std::map<std::pair<int, bool>, Kind> kinds;
-    for (std::size_t e = 0; e < instancing.instances.size(); ++e) {
-        const Instance& instance = instancing.instances[e];
-        const Look& look = instancing.looks[static_cast<std::size_t>(instance.look)];
-        if (!look.verbatim.empty()) continue;
-        Body body{instance.pose, {static_cast<int>(e)}};
-        if (look.symmetry.continuous) body.pose.mirrored = false;
-        const auto mirror = std::ranges::find(look.symmetry.elements, true, &Similarity::mirrored);
-        if (body.pose.mirrored && mirror != look.symmetry.elements.end()) body.pose = body.pose * *mirror;
-        Kind& kind = kinds[{instance.look, body.pose.mirrored}];
-        const auto turns = std::ranges::count(look.symmetry.elements, false, &Similarity::mirrored);
-        kind.form.fold = look.symmetry.continuous ? 0 : static_cast<int>(turns);
-        if (mirror != look.symmetry.elements.end()) kind.form.axis = arg(mirror->linear) / 2;
+    for (std::size_t c = 0; c < copies.size(); ++c) {
+        const SymmetryGroup& symmetry = *copies[c].symmetry;
+        Body body{copies[c].pose, {static_cast<int>(c)}};
+        if (symmetry.continuous) body.pose.mirrored = false;
+        const auto mirror = std::ranges::find(symmetry.elements, true, &Similarity::mirrored);
+        if (body.pose.mirrored && mirror != symmetry.elements.end()) body.pose = body.pose * *mirror;
+        Kind& kind = kinds[{copies[c].kind, body.pose.mirrored}];
+        const auto turns = std::ranges::count(symmetry.elements, false, &Similarity::mirrored);
+        kind.form.fold = symmetry.continuous ? 0 : static_cast<int>(turns);
+        if (mirror != symmetry.elements.end()) kind.form.axis = arg(mirror->linear) / 2;
         kind.bodies.push_back(std::move(body));
     }
     std::vector<Kind> list;
@@ -202,7 +200,7 @@ Kind kind_above(const Kind& below, const std::vector<const Arrangement*>& arrang
 }
 
 /// One level up: what the bodies of these kinds are arranged in. Places that are found go to `regular`.
-std::vector<Kind> arranged(const std::vector<Kind>& kinds, double diagonal, Instancing& regular) {
+std::vector<Kind> arranged(const std::vector<Kind>& kinds, double diagonal, std::vector<Similarity>& regular) {
     std::vector<Arrangement> found;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         if (kinds[k].bodies.size() < least_copies || kinds[k].bodies.size() > most_copies) continue;
@@ -223,7 +221,7 @@ std::vector<Kind> arranged(const std::vector<Kind>& kinds, double diagonal, Inst
             above.push_back(kind_above(kinds[static_cast<std::size_t>(kind)], arrangements));
             for (const Body& body : above.back().bodies) {
                 for (std::size_t k = 0; k < body.instances.size(); ++k) {
-                    regular.instances[static_cast<std::size_t>(body.instances[k])].pose = body.pose * above.back().slots[k];
+                    regular[static_cast<std::size_t>(body.instances[k])] = body.pose * above.back().slots[k];
                 }
             }
         }
@@ -233,16 +231,36 @@ std::vector<Kind> arranged(const std::vector<Kind>& kinds, double diagonal, Inst
 
 }  // namespace
 
-std::optional<Instancing> regular_drawing(const Instancing& instancing, double diagonal) {
-    Instancing regular = instancing;
-    std::vector<Kind> kinds = kinds_of_looks(instancing);
+bool stands_elsewhere(const Similarity& drawn, const Similarity& regular) {
+    return abs(regular.translation - drawn.translation) > already_regular * scale_of(drawn);
+}
+
+std::vector<Similarity> regular_poses(std::span<const PlacedCopy> copies, double diagonal) {
+    std::vector<Similarity> regular;
+    for (const PlacedCopy& copy : copies) regular.push_back(copy.pose);
+    std::vector<Kind> kinds = kinds_of(copies);
     for (int level = 0; level < most_levels && !kinds.empty(); ++level) kinds = arranged(kinds, diagonal, regular);
+    return regular;
+}
+
+std::optional<Instancing> regular_drawing(const Instancing& instancing, double diagonal) {
+    std::vector<PlacedCopy> copies;
+    std::vector<std::size_t> elements;
     for (std::size_t e = 0; e < instancing.instances.size(); ++e) {
-        const Similarity& drawn = instancing.instances[e].pose;
-        const double off = abs(regular.instances[e].pose.translation - drawn.translation);
-        if (off > already_regular * scale_of(drawn)) return regular;
+        const Instance& instance = instancing.instances[e];
+        const Look& look = instancing.looks[static_cast<std::size_t>(instance.look)];
+        if (!look.verbatim.empty()) continue;
+        copies.push_back({instance.look, instance.pose, &look.symmetry});
+        elements.push_back(e);
     }
-    return std::nullopt;
+    const std::vector<Similarity> poses = regular_poses(copies, diagonal);
+    Instancing regular = instancing;
+    bool any = false;
+    for (std::size_t c = 0; c < copies.size(); ++c) {
+        regular.instances[elements[c]].pose = poses[c];
+        any = any || stands_elsewhere(copies[c].pose, poses[c]);
+    }
+    return any ? std::optional(std::move(regular)) : std::nullopt;
 }
 
 }  // namespace rinceau

@@ -165,6 +165,24 @@ TEST_CASE("groups that are placed by hand are moved as groups") {
         CHECK(exception.successor.back().symbol.starts_with("Motif"));
 }
 
+TEST_CASE("what is exact in itself keeps its rules where its copies are placed by hand") {
+    // Keys of a calculator: columns of three and one farther off, drawn once, copied and laid side by side.
+    const Scene exact =
+        drawn_scene(known_grammar("axiom: Q(9)\nQ(n) : n > 0 -> [C] -(90) f(50) +(90) Q(n-1)\nC -> [P(3)] [f(180) A]\nP(m) "
+                                  ": m > 0 -> [A] f(52) P(m-1)",
+                                  {{"A", element(rectangle(30, 24), filled(dark))}}));
+    REQUIRE(exact.elements.size() == 36);
+    const Analysis found = analyze(moved_by_hand(exact, 3, 4));
+    INFO(to_text(found.grammar));
+    CHECK(found.report.check.passed);
+    CHECK(axiom_symbols(found.grammar) == 1);
+    CHECK(found.grammar.productions.size() == 3);
+    CHECK(found.grammar.exceptions.size() <= 9);
+    const Analysis layout = analyze(moved_by_hand(exact, 3, 4), {.symmetrize = true});
+    CHECK(layout.grammar.exceptions.empty());
+    CHECK(axiom_symbols(layout.grammar) == 1);
+}
+
 TEST_CASE("a disc and the ring about it are one thing before they stand in rows, whatever their outlines begin with") {
     Scene scene;
     Random random(3);
