@@ -5,9 +5,11 @@
 
 #include "analyzer/describe_all.h"
 #include "analyzer/paint_order.h"
+#include "analyzer/rank_with_layers.h"
 #include "analyzer/report.h"
 #include "analyzer/same_picture.h"
 #include "analyzer/scatter.h"
+#include "analyzer/symbol_names.h"
 #include "analyzer/verify_layout.h"
 #include "lsystem/grammar_text.h"
 #include "lsystem/interpret.h"
@@ -85,7 +87,7 @@ std::vector<int> united(std::vector<int> numbers, const std::vector<int>& others
 
 Grammar flat_grammar(const Scene& scene, const Instancing& instancing) {
     const Overlaps overlaps;
-    const Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene), 0};
+    const Drawing drawing{scene, instancing, overlaps, drawing_diagonal(scene), 0, 0};
     return flat_description(drawing).exact;
 }
 
@@ -117,7 +119,8 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
     std::vector<Drawing> drawings;
     for (const PreparedReading& reading : prepared.readings) {
         if (drawings.empty() || options.objective == Objective::bits)
-            drawings.push_back({*prepared.scene, reading.instancing, overlaps, prepared.diagonal, flat_bits});
+            drawings.push_back({*prepared.scene, reading.instancing, overlaps, prepared.diagonal, flat_bits,
+                                named_kinds(reading.instancing, *prepared.scene)});
     }
 
     // Rules, at several tolerances; the shortest description that proves right is kept.
@@ -132,6 +135,7 @@ Analysis analyze(const PreparedDrawing& prepared, const AnalyzeOptions& options,
         descriptions = describe_irregular(drawings, std::move(descriptions), search, options.threads, progress);
     }
     std::erase_if(descriptions, [&](const Description& d) { return shortest && d.bits.grammar >= d.bits.drawing; });
+    if (shortest) descriptions = ranked_with_layers(std::move(descriptions), overlaps, options.threads, progress);
     report_out.seconds.rules = watch.lap();
 
     // The proof, from the text that will be written. The flat list of all elements is the last resort.

@@ -34,13 +34,13 @@ double digits_slack(const Drawing& drawing) {
     return std::clamp(share_of_size * size, finest_share * drawing.diagonal, digits_share * drawing.diagonal);
 }
 
-/// Bits, and for each production what it costs a reader to take in one more thing. (Two rules that fit loosely read better
-/// than four that fit to the last bit.)
+/// Bits, and for each production and each kind of thing what it costs a reader to take in one more. (Two rules that fit
+/// loosely read better than four that fit to the last bit.)
 double reading_cost(const Description& description) {
     constexpr double production_bits = 40;
-    constexpr double terminal_bits = 20;  // an outline of its own; readings differ in how many there are
+    constexpr double kind_bits = 20;  // readings differ in how many there are
     return description.bits.grammar + production_bits * static_cast<double>(description.exact.productions.size()) +
-           terminal_bits * static_cast<double>(description.exact.terminals.size());
+           kind_bits * description.reading->kinds;
 }
 
 RuleSet no_rules(const Drawing& drawing) {

@@ -19,6 +19,7 @@ struct Drawing {
     const Overlaps& overlaps;
     double diagonal;
     double flat_bits;  ///< of the flat list, the same for all readings
+    int kinds;         ///< of things, as a reader counts them: named_kinds
 };
 
 struct Description {
@@ -31,7 +32,8 @@ struct Description {
     std::vector<MovedGroup> groups;
     DescriptionBits bits;  ///< of `exact`
     double tolerance = 0;
-    double cost = 0;  ///< what decides between descriptions: bits, and what each production and each terminal costs a reader
+    double cost =
+        0;  ///< what decides between descriptions: bits, and what each production and each kind of thing costs a reader
     ConvincingCost if_longer, if_not_longer;  ///< of its opening
 };
 

@@ -105,6 +105,17 @@ std::vector<std::string> look_names(const Instancing& instancing, const Scene& s
     return names;
 }
 
+int named_kinds(const Instancing& instancing, const Scene& scene) {
+    std::vector<std::set<std::string>> words(instancing.looks.size());
+    for (std::size_t e = 0; e < instancing.instances.size(); ++e) {
+        const auto word = word_of(scene.elements[e].id);
+        if (word) words[static_cast<std::size_t>(instancing.instances[e].look)].insert(*word);
+    }
+    std::size_t kinds = 0;
+    for (const std::set<std::string>& of_look : words) kinds += std::max<std::size_t>(1, of_look.size());
+    return static_cast<int>(kinds);
+}
+
 std::vector<std::string> symbol_names(const RuleSet& rules, const std::vector<bool>& in_use,
                                       const std::vector<int>& top_down, const std::vector<RuleUse>& uses,
                                       const std::vector<std::string>& look_names) {

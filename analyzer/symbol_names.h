@@ -17,6 +17,10 @@ std::string terminal_letter(int index);
 /// Window); a letter otherwise. No two alike, none a command or a word of the language.
 std::vector<std::string> look_names(const Instancing& instancing, const Scene& scene);
 
+/// Looks, those twice or more whose elements the drawing calls by as many words: what it calls disc and pearl are two things
+/// to whoever drew it, though both be circles.
+int named_kinds(const Instancing& instancing, const Scene& scene);
+
 /// By part, "" for parts that are not in use (in_use[part]): looks by their names, rules by rule_name(), numbered where several
 /// share a word (Row, Row2), in the order of parts_top_down(). Parts of a rule with different counts share a symbol, except linear ones.
 /// No two alike, also with "_count" behind them.
